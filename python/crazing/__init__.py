@@ -1,0 +1,1 @@
+"""Voronoi curves, skeletons, mazes and crack textures, computed in Rust."""

@@ -1,0 +1,108 @@
+"""The only place that judges the shape, type and range of arguments: what was found, where, what is wanted."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+def _found(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def points_array(points: ArrayLike, name: str = "points") -> NDArray[np.float64]:
+    """`points` as a C-contiguous (n, 2) float64 array in native byte order; an empty list gives (0, 2)."""
+    array = real_array(points, name)
+    if array.size == 0 and array.ndim <= 2:
+        return np.empty((0, 2))
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise ValueError(f"{name} has shape {array.shape}; (n, 2) is wanted")
+    return array
+
+
+def real_array(values: ArrayLike, name: str) -> NDArray[np.float64]:
+    """`values` as a C-contiguous float64 array; complex numbers, text and objects are refused."""
+    try:
+        array = np.asarray(values)
+    except ValueError as error:
+        raise ValueError(f"{name} is ragged: {error}") from None
+    if array.dtype.kind == "O" and array.size:
+        try:
+            array = array.astype(np.float64)
+        except (TypeError, ValueError):
+            raise TypeError(f"{name} holds {_found(array.flat[0])}; real numbers are wanted") from None
+    if array.dtype.kind not in "biufO":
+        raise TypeError(f"{name} has dtype {array.dtype}; real numbers are wanted")
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def count(value: Any, name: str, *, low: int = 0, high: int = 2**31 - 1) -> int:
+    """`value` as an int in [low, high]; bools and fractions are refused."""
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is {value!r}; an integer is wanted")
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} is {_found(value)}; an integer is wanted") from None
+    if not low <= number <= high:
+        raise ValueError(f"{name} is {number}; it must be from {low} to {high}")
+    return number
+
+
+def number(value: Any, name: str, *, low: float = -np.inf, high: float = np.inf) -> float:
+    """`value` as a finite float in [low, high]."""
+    if isinstance(value, (str, bytes, bool, np.bool_, complex)):
+        raise TypeError(f"{name} is {_found(value)}; a real number is wanted")
+    try:
+        result = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} is {_found(value)}; a real number is wanted") from None
+    except OverflowError:
+        raise ValueError(f"{name} is too large for a float") from None
+    if not np.isfinite(result) or not low <= result <= high:
+        raise ValueError(f"{name} is {result}; a finite number from {low} to {high} is wanted")
+    return result
+
+
+def choice(value: Any, name: str, allowed: Iterable[str]) -> str:
+    """`value`, if it is one of the allowed words."""
+    words = list(allowed)
+    if value not in words:
+        raise ValueError(f"{name} is {_found(value)}; one of {', '.join(map(repr, words))} is wanted")
+    return str(value)
+
+
+def bounds_tuple(value: Any, name: str = "bounds") -> tuple[float, float, float, float]:
+    """`value` as (xmin, ymin, xmax, ymax) with a positive, finite width and height."""
+    try:
+        parts = tuple(value)
+    except TypeError:
+        raise TypeError(f"{name} is {_found(value)}; (xmin, ymin, xmax, ymax) is wanted") from None
+    if len(parts) != 4:
+        raise ValueError(f"{name} has {len(parts)} entries; (xmin, ymin, xmax, ymax) is wanted")
+    xmin, ymin, xmax, ymax = (number(part, f"{name}[{i}]") for i, part in enumerate(parts))
+    if not (xmin < xmax and ymin < ymax and np.isfinite(xmax - xmin) and np.isfinite(ymax - ymin)):
+        raise ValueError(f"{name} is {(xmin, ymin, xmax, ymax)}; xmin < xmax and ymin < ymax are wanted")
+    return xmin, ymin, xmax, ymax
+
+
+def size_pair(value: Any, name: str = "size", *, limit: int = 1 << 16) -> tuple[int, int]:
+    """`value` as (height, width) in pixels; one integer means a square."""
+    try:
+        parts = tuple(value)
+    except TypeError:
+        parts = (value, value)
+    if len(parts) != 2:
+        raise ValueError(f"{name} has {len(parts)} entries; (height, width) or one integer is wanted")
+    height, width = (count(part, name, low=1, high=limit) for part in parts)
+    return height, width
+
+
+def thread_count(value: Any, name: str = "threads") -> int:
+    """`value` as a number of threads; None means all cores, given to the core as 0."""
+    return 0 if value is None else count(value, name, low=1, high=1024)

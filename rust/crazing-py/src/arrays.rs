@@ -1,0 +1,20 @@
+//! NumPy arrays to slices of rows and back, without a copy.
+
+use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+
+/// The rows of a C-contiguous `(n, N)` array. The face makes every array so before it calls.
+pub(crate) fn rows<'a, T: Element, const N: usize>(array: &'a PyReadonlyArray2<'_, T>) -> PyResult<&'a [[T; N]]> {
+    let shape = array.shape();
+    match (array.as_slice(), shape[1] == N) {
+        (Ok(flat), true) => Ok(flat.as_chunks::<N>().0),
+        _ => Err(PyTypeError::new_err(format!("array of shape {shape:?}; a C-contiguous (n, {N}) array is wanted"))),
+    }
+}
+
+/// Hands rows to NumPy as an `(n, N)` array that owns them.
+pub(crate) fn table<T: Element, const N: usize>(py: Python<'_>, rows: Vec<[T; N]>) -> PyResult<Bound<'_, PyArray2<T>>> {
+    let count = rows.len();
+    PyArray1::from_vec(py, rows.into_flattened()).reshape([count, N])
+}

@@ -1,0 +1,98 @@
+//! Everything that can be wrong with an input, with its facts as fields.
+
+use thiserror::Error;
+
+/// A core result.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Why a call has no answer. The message says what was found, where, and what is wanted.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A coordinate is NaN or infinite.
+    #[error("points[{row}] is ({x}, {y}); every coordinate must be finite")]
+    NotFinite {
+        /// Row of the input.
+        row: usize,
+        /// What was found.
+        x: f64,
+        /// What was found.
+        y: f64,
+    },
+    /// More rows than 32-bit indices can number.
+    #[error("{found} {what}; at most {limit} are supported")]
+    TooMany {
+        /// What was counted.
+        what: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many may be.
+        limit: usize,
+    },
+    /// Fewer than three distinct sites.
+    #[error("{found} distinct sites; at least 3 are needed")]
+    TooFewSites {
+        /// How many distinct sites there are.
+        found: usize,
+    },
+    /// All sites lie on one line.
+    #[error("all {found} distinct sites lie on one line; a triangle is needed")]
+    Collinear {
+        /// How many distinct sites there are.
+        found: usize,
+    },
+    /// An index array does not fit the array it points into.
+    #[error("{array}[{row}] is {value}; it must be at least {low} and less than {limit}")]
+    BadIndex {
+        /// Which array.
+        array: &'static str,
+        /// Which row.
+        row: usize,
+        /// What was found.
+        value: i64,
+        /// The smallest value allowed.
+        low: i64,
+        /// One past the largest value allowed.
+        limit: i64,
+    },
+    /// Two arrays that belong together differ in length.
+    #[error("{array} has {found} rows; {wanted} are wanted")]
+    BadLength {
+        /// Which array.
+        array: &'static str,
+        /// How many rows it has.
+        found: usize,
+        /// How many rows it must have.
+        wanted: usize,
+    },
+    /// A number outside its allowed range.
+    #[error("{name} is {value}; {wanted}")]
+    BadValue {
+        /// The argument.
+        name: &'static str,
+        /// What was found.
+        value: f64,
+        /// What is wanted.
+        wanted: &'static str,
+    },
+    /// A result that would not fit into memory.
+    #[error("{what} would take {bytes} bytes of memory, which could not be had")]
+    OutOfMemory {
+        /// What was to be stored.
+        what: &'static str,
+        /// How many bytes it takes.
+        bytes: u128,
+    },
+    /// Writing the output failed; the reason is the writer's.
+    #[error("writing failed: {reason}")]
+    Write {
+        /// The writer's own words.
+        reason: String,
+    },
+    /// The caller asked to stop.
+    #[error("interrupted")]
+    Interrupted,
+    /// A state that the library promises never to reach.
+    #[error("internal error: {0}; please report it")]
+    Internal(&'static str),
+}

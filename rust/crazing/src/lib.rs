@@ -1,0 +1,13 @@
+//! Voronoi curves, skeletons, mazes and crack textures: the pure core.
+//!
+//! Knows no Python, no files, no clock and no global random state. See `rust/ARCHITECTURE.md`.
+
+pub mod diagram;
+pub mod error;
+pub mod graph;
+pub mod watch;
+
+pub use diagram::{Diagram, DiagramView};
+pub use error::{Error, Result};
+pub use graph::{PlanarGraph, Point};
+pub use watch::Watch;
