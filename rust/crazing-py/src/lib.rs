@@ -2,6 +2,7 @@
 
 mod arrays;
 mod guard;
+mod sample;
 
 use pyo3::prelude::*;
 
@@ -11,6 +12,8 @@ mod _core {
 
     #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
+    #[pymodule_export]
+    use crate::sample::{sample_laplace, sample_normal, sample_uniform};
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

@@ -5,9 +5,13 @@
 pub mod diagram;
 pub mod error;
 pub mod graph;
+pub mod quantile;
+pub mod rng;
+pub mod sample;
 pub mod watch;
 
 pub use diagram::{Diagram, DiagramView};
 pub use error::{Error, Result};
 pub use graph::{PlanarGraph, Point};
+pub use rng::{Key, Rng};
 pub use watch::Watch;
