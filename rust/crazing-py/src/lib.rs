@@ -5,6 +5,7 @@ mod crack;
 mod diagram;
 mod guard;
 mod maze;
+mod sample;
 mod skeleton;
 
 use pyo3::prelude::*;
@@ -21,6 +22,8 @@ mod _core {
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]
     use crate::maze::voronoi_maze;
+    #[pymodule_export]
+    use crate::sample::{sample_laplace, sample_normal, sample_uniform};
     #[pymodule_export]
     use crate::skeleton::{axis_edges, one_step, second};
 
