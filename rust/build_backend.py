@@ -1,7 +1,7 @@
 """The build backend: maturin's, after one look for the Rust compiler.
 
-Without the look, maturin tries to download a compiler and fails, on a machine without network, in a long trace
-that does not say what to install.
+Without the look, maturin tries to download a compiler and fails, on a machine without network, in a long
+trace that does not say what to install.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The only place that judges the shape, type and range of arguments: what was found, where, what is wanted."""
+"""The only judge of the shape, type and range of arguments: what was found, where, what is wanted."""
 
 from __future__ import annotations
 
@@ -27,6 +27,9 @@ def points_array(points: ArrayLike, name: str = "points") -> NDArray[np.float64]
 
 def real_array(values: ArrayLike, name: str) -> NDArray[np.float64]:
     """`values` as a C-contiguous float64 array; complex numbers, text and objects are refused."""
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        # What lies under a mask is not meant to be seen, and NumPy would hand it on without a word.
+        raise ValueError(f"{name} has masked entries; drop or fill them")
     try:
         array = np.asarray(values)
     except ValueError as error:
@@ -36,9 +39,13 @@ def real_array(values: ArrayLike, name: str) -> NDArray[np.float64]:
             array = array.astype(np.float64)
         except (TypeError, ValueError):
             raise TypeError(f"{name} holds {_found(array.flat[0])}; real numbers are wanted") from None
+        except OverflowError:
+            raise ValueError(f"{name} holds an integer too large for a float") from None
     if array.dtype.kind not in "biufO":
         raise TypeError(f"{name} has dtype {array.dtype}; real numbers are wanted")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    # A long double beyond float64 becomes infinite, which the core then names with its row.
+    with np.errstate(over="ignore"):
+        return np.ascontiguousarray(array, dtype=np.float64)
 
 
 def count(value: Any, name: str, *, low: int = 0, high: int = 2**31 - 1) -> int:
