@@ -1,4 +1,4 @@
-"""Every public name is documented in numpydoc form, names its parameters as they are, and its examples run."""
+"""Every public name is documented in numpydoc form, names its parameters as they are, and shows what runs."""
 
 from __future__ import annotations
 
@@ -82,9 +82,7 @@ def test_functions_say_what_they_return(name: str) -> None:
         assert {"Returns", "Yields"} & found.keys(), f"{name} has no Returns section"
 
 
-@pytest.mark.parametrize(
-    "name", [name for name in FUNCTIONS if inspect.ismodule(eval(name.rpartition(".")[0], {"cz": cz}))]
-)
+@pytest.mark.parametrize("name", [name for name, value in FUNCTIONS.items() if "." not in value.__qualname__])
 def test_functions_show_an_example(name: str) -> None:
     assert ">>> " in sections(FUNCTIONS[name]).get("Examples", ""), f"{name} has no example"
 
