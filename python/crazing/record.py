@@ -11,7 +11,8 @@ import numpy as np
 def same(a: Any, b: Any) -> bool:
     """Whether two field values hold the same content."""
     if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
-        return isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and np.array_equal(a, b, equal_nan=a.dtype.kind == "f")
+        both = isinstance(a, np.ndarray) and isinstance(b, np.ndarray)
+        return both and np.array_equal(a, b, equal_nan=a.dtype.kind == "f")
     return bool(a == b)
 
 
@@ -31,7 +32,8 @@ class Record:
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other):
             return NotImplemented
-        return all(same(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
+        compared = [field.name for field in fields(self) if field.compare]
+        return all(same(getattr(self, name), getattr(other, name)) for name in compared)
 
     # Content decides equality, and arrays have no cheap content hash.
     __hash__ = None  # type: ignore[assignment]
