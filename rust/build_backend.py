@@ -1,35 +1,57 @@
 """The build backend: maturin's, after one look for the Rust compiler.
 
-Without the look, maturin tries to download a compiler and fails, on a machine without network, in a long trace
-that does not say what to install.
+Without the look, maturin tries to download a compiler and fails, on a machine without network, in a long
+trace that does not say what to install.
 """
 
 from __future__ import annotations
 
-import shutil
+import subprocess
 import sys
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
 
 from maturin import *  # noqa: F403
-from maturin import get_requires_for_build_sdist  # noqa: F401
 
-_MISSING = (
-    "crazing is compiled from Rust and no Rust compiler was found: install stable Rust 1.88 or newer "
-    "(https://rustup.rs, or your system's rustc and cargo packages) and run the same command again."
-)
+
+def _wanted() -> str:
+    """The oldest compiler that will do; read from Cargo.toml, so that it is written once."""
+    manifest = Path(__file__).parent.parent / "Cargo.toml"
+    return str(tomllib.loads(manifest.read_text(encoding="utf-8"))["workspace"]["package"]["rust-version"])
+
+
+def _found(program: str) -> str | None:
+    """The version that `program` reports; None where it is missing or, as rustup's stand-in, empty."""
+    try:
+        run = subprocess.run([program, "--version"], capture_output=True, text=True, check=True)
+    except (OSError, subprocess.CalledProcessError):
+        return None
+    words = run.stdout.split()
+    return words[1] if len(words) > 1 else None
+
+
+def _numbers(version: str) -> tuple[int, ...]:
+    return tuple(int(part) for part in version.split("-")[0].split("."))
 
 
 def _require_rust() -> None:
-    if shutil.which("cargo") is None or shutil.which("rustc") is None:
-        sys.exit(_MISSING)
+    wanted = _wanted()
+    remedy = f"install stable Rust {wanted} or newer (https://rustup.rs) and run the same command again."
+    for program in ("cargo", "rustc"):
+        version = _found(program)
+        if version is None:
+            sys.exit(f"crazing is compiled from Rust and no working {program} was found on PATH: {remedy}")
+        if _numbers(version) < _numbers(wanted):
+            sys.exit(f"crazing is compiled from Rust and {program} {version} is too old: {remedy}")
 
 
-def get_requires_for_build_wheel(config_settings: dict[str, str] | None = None) -> list[str]:
-    """Refuse before anything is downloaded; nothing beyond maturin is needed."""
+def get_requires_for_build_wheel(config_settings: Mapping[str, Any] | None = None) -> list[str]:
+    """Refuse a machine without Rust; nothing beyond maturin is needed."""
     _require_rust()
     return []
 
 
-def get_requires_for_build_editable(config_settings: dict[str, str] | None = None) -> list[str]:
-    """Refuse before anything is downloaded; nothing beyond maturin is needed."""
-    _require_rust()
-    return []
+get_requires_for_build_editable = get_requires_for_build_wheel
+get_requires_for_build_sdist = get_requires_for_build_wheel

@@ -1,4 +1,4 @@
-"""The only place that judges the shape, type and range of arguments: what was found, what is wanted."""
+"""The only judge of the shape, type and range of arguments: what was found, where, what is wanted."""
 
 from __future__ import annotations
 
@@ -9,10 +9,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+# Rows are numbered with 32-bit integers.
+_INDEX_LIMIT = 2**31 - 1
+
 
 def _found(value: Any) -> str:
     text = repr(value)
     return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def _real(value: Any, found: str) -> float:
+    """`value` as a float; `found` begins the message of the refusal."""
+    if isinstance(value, (str, bytes, complex)):
+        raise TypeError(f"{found} {_found(value)}; a real number is wanted")
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{found} {_found(value)}; a real number is wanted") from None
+    except OverflowError:
+        raise ValueError(f"{found} an integer too large for a float") from None
 
 
 def points_array(points: ArrayLike, name: str = "points") -> NDArray[np.float64]:
@@ -26,22 +41,27 @@ def points_array(points: ArrayLike, name: str = "points") -> NDArray[np.float64]
 
 
 def real_array(values: ArrayLike, name: str) -> NDArray[np.float64]:
-    """`values` as a C-contiguous float64 array; complex numbers, text and objects are refused."""
+    """`values` as a C-contiguous, aligned float64 array; complex numbers, text and objects are refused."""
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        # What lies under a mask is not meant to be seen, and NumPy would hand it on without a word.
+        raise ValueError(f"{name} has masked entries; drop or fill them")
     try:
         array = np.asarray(values)
     except ValueError as error:
         raise ValueError(f"{name} is ragged: {error}") from None
-    if array.dtype.kind == "O" and array.size:
-        try:
-            array = array.astype(np.float64)
-        except (TypeError, ValueError):
-            raise TypeError(f"{name} holds {_found(array.flat[0])}; real numbers are wanted") from None
-    if array.dtype.kind not in "biufO":
+    if array.ndim and len(array) > _INDEX_LIMIT:
+        raise ValueError(f"{name} has {len(array)} rows; at most {_INDEX_LIMIT} are supported")
+    if array.dtype.kind == "O":
+        # One by one: NumPy's own cast reads None as nan and text as what it says.
+        array = np.array([_real(value, f"{name} holds") for value in array.flat]).reshape(array.shape)
+    if array.dtype.kind not in "biuf":
         raise TypeError(f"{name} has dtype {array.dtype}; real numbers are wanted")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    # A long double beyond float64 becomes infinite, which the core then names with its row.
+    with np.errstate(over="ignore"):
+        return np.require(array, np.float64, ["C", "A"])
 
 
-def count(value: Any, name: str, *, low: int = 0, high: int = 2**31 - 1) -> int:
+def count(value: Any, name: str, *, low: int = 0, high: int = _INDEX_LIMIT) -> int:
     """`value` as an int in [low, high]; bools and fractions are refused."""
     if isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name} is {value!r}; an integer is wanted")
@@ -56,14 +76,9 @@ def count(value: Any, name: str, *, low: int = 0, high: int = 2**31 - 1) -> int:
 
 def number(value: Any, name: str, *, low: float = -np.inf, high: float = np.inf) -> float:
     """`value` as a finite float in [low, high]."""
-    if isinstance(value, (str, bytes, bool, np.bool_, complex)):
-        raise TypeError(f"{name} is {_found(value)}; a real number is wanted")
-    try:
-        result = float(value)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name} is {_found(value)}; a real number is wanted") from None
-    except OverflowError:
-        raise ValueError(f"{name} is too large for a float") from None
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is {value!r}; a real number is wanted")
+    result = _real(value, f"{name} is")
     if not np.isfinite(result) or not low <= result <= high:
         raise ValueError(f"{name} is {result}; a finite number from {low} to {high} is wanted")
     return result

@@ -50,9 +50,6 @@ class Comparison(Record):
     def shared(self) -> PlanarGraph:
         """Axis edges that both have, on the diagram's vertices, in the order of the first axis.
 
-        Vertices at one place count as one: where four or more sites lie on a circle, two methods may name
-        different ones of the Voronoi vertices at its centre for the same line.
-
         Examples
         --------
         >>> import crazing as cz
@@ -159,8 +156,9 @@ class Comparison(Record):
     @cached_property
     def _both(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """For every axis edge of the first and of the second, whether the other has it too."""
-        place = _places(self.first.diagram.vertices)
-        first, second = (_keys(skeleton.axis.edges, place) for skeleton in (self.first, self.second))
+        # Every method names the same one of coincident vertices, so rows can be compared.
+        vertices = len(self.first.diagram.vertices)
+        first, second = (_keys(skeleton.axis.edges, vertices) for skeleton in (self.first, self.second))
         return np.isin(first, second), np.isin(second, first)
 
     def _select(self, axis: PlanarGraph, kept: NDArray[np.bool_]) -> PlanarGraph:
@@ -222,17 +220,7 @@ def _text(value: int | float) -> str:
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
-def _places(vertices: NDArray[np.float64]) -> NDArray[np.int64]:
-    """A number for every vertex, the same for vertices with equal coordinates."""
-    # A complex number is a pair that NumPy sorts fast; adding zero makes -0.0 equal to 0.0 in its bits too.
-    pairs = (np.ascontiguousarray(vertices) + 0.0).view(np.complex128).ravel()
-    return np.unique(pairs, return_inverse=True)[1].reshape(-1)
-
-
-def _keys(edges: NDArray[np.int32], place: NDArray[np.int64]) -> NDArray[np.int64]:
+def _keys(edges: NDArray[np.int32], vertices: int) -> NDArray[np.int64]:
     """One number an edge, the same in both directions."""
-    ends = place[edges]
-    # Edges without length have no place of their own: their vertices tell them apart, in numbers below zero.
-    ends = np.where(ends[:, :1] == ends[:, 1:], -1 - edges.astype(np.int64), ends)
-    ends.sort(axis=1)
-    return ends[:, 0] * np.int64(len(place)) + ends[:, 1]
+    ends = np.sort(edges, axis=1).astype(np.int64)
+    return ends[:, 0] * vertices + ends[:, 1]

@@ -47,7 +47,7 @@ def _size(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[i
 @click.option(
     "--width", type=float, help="Width of the widest cracks, in data units (the picture is 1 high)."
 )
-@click.option("--opening", type=float, help="How far the cracks have opened; 1 is as they are.")
+@click.option("--opening", type=float, help="Share of the maze's passages opened, 0 to 1.")
 @click.option("--threads", type=click.IntRange(1, 1024), help="Threads that draw; all cores by default.")
 @click.option("--json", "as_json", is_flag=True, help="Print the result as one line of JSON.")
 @output_option

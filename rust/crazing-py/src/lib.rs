@@ -3,8 +3,13 @@
 #![allow(clippy::needless_pass_by_value, reason = "PyO3 hands arguments over by value")]
 
 mod arrays;
+mod crack;
+mod diagram;
 mod graph;
 mod guard;
+mod maze;
+mod sample;
+mod skeleton;
 
 use pyo3::prelude::*;
 
@@ -13,10 +18,19 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::guard::{CrazingError, DegenerateInputError, InternalError};
-
+    use crate::crack::crack;
+    #[pymodule_export]
+    use crate::diagram::{diagram, dual_edges, onext};
     #[pymodule_export]
     use crate::graph::{graph_compact, graph_components, graph_degrees, graph_polylines};
+    #[pymodule_export]
+    use crate::guard::{CrazingError, DegenerateInputError, InternalError};
+    #[pymodule_export]
+    use crate::maze::voronoi_maze;
+    #[pymodule_export]
+    use crate::sample::{sample_laplace, sample_normal, sample_uniform};
+    #[pymodule_export]
+    use crate::skeleton::{axis_edges, one_step, second};
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

@@ -1,0 +1,89 @@
+"""Long calls stop at Ctrl-C, leave a living process, and let other threads run."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import crazing as cz
+
+# Each takes many seconds when nobody stops it.
+LONG_CALLS = {
+    "diagram": "cz.diagram(points)",
+    "crust": "cz.crust(points)",
+    "medial_axis": "cz.medial_axis(points)",
+    "maze": "cz.maze(points, rng=1)",
+    "crack": "cz.crack(points, rng=1)",
+    "relax": "cz.sample.relax(points, iterations=1000, bounds=(0, 0, 1, 1))",
+    "poisson_disk": "cz.sample.poisson_disk(2e-4, rng=1)",
+    "render": "[cz.render(crack, 16384) for _ in range(50)]",
+}
+PROGRAM = """
+    import time
+    import numpy as np
+    import crazing as cz
+    points = np.random.default_rng(1).random((6_000_000, 2))
+    crack = cz.crack(cz.sample.uniform(1000, rng=1), rng=1)
+    print("ready", flush=True)
+    try:
+        {call}
+    except KeyboardInterrupt:
+        stopped = time.monotonic()
+        assert len(cz.diagram([[0, 0], [1, 0], [0, 1]]).triangles) == 1
+        print("stopped", stopped, flush=True)
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="SIGINT cannot be sent to one process on Windows")
+@pytest.mark.parametrize("name", LONG_CALLS)
+def test_ctrl_c_stops_the_call_and_spares_the_process(name: str) -> None:
+    program = textwrap.dedent(PROGRAM).format(call=LONG_CALLS[name])
+    with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None
+        assert child.stdout.readline() == "ready\n"
+        time.sleep(0.3)
+        sent = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        try:
+            answer, _ = child.communicate(timeout=60)
+        finally:
+            child.kill()
+    assert child.returncode == 0
+    word, stopped = answer.split()
+    assert word == "stopped"
+    # The promise is a second; a loaded machine is given five.
+    assert float(stopped) - sent < 5
+
+
+def test_other_threads_run_while_rust_works(rng: np.random.Generator) -> None:
+    points = rng.random((300_000, 2))
+    began = threading.Event()
+    turns: list[float] = []
+    done = threading.Event()
+
+    def spin() -> None:
+        began.set()
+        while not done.is_set():
+            turns.append(time.monotonic())
+            time.sleep(0.001)
+
+    spinner = threading.Thread(target=spin)
+    spinner.start()
+    began.wait()
+    start = time.monotonic()
+    cz.diagram(points)
+    end = time.monotonic()
+    done.set()
+    spinner.join()
+    inside = [start, *(turn for turn in turns if start < turn < end), end]
+    longest = max(np.diff(inside))
+    # A held interpreter would give one gap as long as the whole call.
+    assert longest < 0.5 * (end - start), f"no other thread ran for {longest:.3f} s of {end - start:.3f} s"

@@ -1,0 +1,62 @@
+"""The stub tells the truth about the compiled module, and typed programs can use the public names."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+PROGRAM = """
+import numpy as np
+from numpy.typing import NDArray
+
+import crazing as cz
+
+
+def skeleton(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    d: cz.Diagram = cz.diagram(points)
+    s: cz.Skeleton = cz.medial_axis(d, method="one-step")
+    g: cz.PlanarGraph = s.axis
+    return g.segments
+
+
+def picture(seed: int) -> NDArray[np.uint8]:
+    m: cz.Maze = cz.maze(cz.sample.uniform(100, rng=seed), rng=seed)
+    doors: NDArray[np.bool_] = m.open
+    c: cz.Crack = cz.crack(m.diagram, rng=seed)
+    print(doors.sum(), c.width.max())
+    return cz.render(c, 64)
+
+
+def refused() -> str:
+    try:
+        cz.crust([[0.0, 0.0], [1.0, 1.0]])
+    except cz.DegenerateInputError as error:
+        return str(error)
+    return ""
+"""
+WRONG = "import crazing as cz\n\ncz.diagram()\ncz.maze([[0.0, 0.0]], cells=3)\n"
+
+
+def mypy(program: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    (folder / "program.py").write_text(program)
+    command = [sys.executable, "-m", "mypy", "--strict", "--config-file=", "program.py"]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True)
+
+
+def test_stub_matches_the_module(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "mypy.stubtest", "crazing._core"]
+    run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_a_typed_program_is_accepted(tmp_path: Path) -> None:
+    run = mypy(PROGRAM, tmp_path)
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_wrong_calls_are_found(tmp_path: Path) -> None:
+    run = mypy(WRONG, tmp_path)
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "program.py:3" in run.stdout
+    assert "program.py:4" in run.stdout
