@@ -1,5 +1,29 @@
 """Voronoi curves, skeletons, mazes and crack textures, computed in Rust."""
 
 from crazing import sample
+from crazing._core import __version__
+from crazing.compare import Comparison, compare
+from crazing.crack import Crack, crack
+from crazing.diagram import Diagram, diagram
+from crazing.errors import CrazingError, DegenerateInputError
+from crazing.graph import PlanarGraph
+from crazing.skeleton import Skeleton, medial_axis
+from crazing.versions import algorithm_version, show_versions
 
-__all__ = ["sample"]
+__all__ = [
+    "Comparison",
+    "Crack",
+    "CrazingError",
+    "DegenerateInputError",
+    "Diagram",
+    "PlanarGraph",
+    "Skeleton",
+    "__version__",
+    "algorithm_version",
+    "compare",
+    "crack",
+    "diagram",
+    "medial_axis",
+    "sample",
+    "show_versions",
+]

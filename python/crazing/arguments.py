@@ -121,3 +121,23 @@ def size_pair(value: Any, name: str = "size", *, limit: int = 1 << 16) -> tuple[
 def thread_count(value: Any, name: str = "threads") -> int:
     """`value` as a number of threads; None means all cores, given to the core as 0."""
     return 0 if value is None else count(value, name, low=1, high=1024)
+
+
+def index_pairs(values: ArrayLike, name: str, *, limit: int) -> NDArray[np.int32]:
+    """`values` as a C-contiguous (n, 2) int32 array of indices below `limit`; an empty list gives (0, 2)."""
+    try:
+        array = np.asarray(values)
+    except ValueError as error:
+        raise ValueError(f"{name} is ragged: {error}") from None
+    if array.size == 0 and array.ndim <= 2:
+        return np.empty((0, 2), dtype=np.int32)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name} has dtype {array.dtype}; integers are wanted")
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise ValueError(f"{name} has shape {array.shape}; (n, 2) is wanted")
+    low, high = int(array.min()), int(array.max())
+    if low < 0 or high >= limit:
+        row = int(np.argmax(((array < 0) | (array >= limit)).any(axis=1)))
+        pair = tuple(array[row].tolist())
+        raise ValueError(f"{name}[{row}] is {pair}; indices from 0 to less than {limit} are wanted")
+    return np.ascontiguousarray(array, dtype=np.int32)

@@ -35,7 +35,8 @@ class Record:
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other):
             return NotImplemented
-        return all(same(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
+        compared = [field.name for field in fields(self) if field.compare]
+        return all(same(getattr(self, name), getattr(other, name)) for name in compared)
 
     # Content decides equality, and arrays have no cheap content hash.
     __hash__ = None  # type: ignore[assignment]

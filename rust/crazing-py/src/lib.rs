@@ -1,8 +1,11 @@
 //! The binding: arrays in, arrays out, the interpreter detached while the core works.
 
+#![allow(clippy::needless_pass_by_value, reason = "PyO3 hands arguments over by value")]
+
 mod arrays;
 mod crack;
 mod diagram;
+mod graph;
 mod guard;
 mod maze;
 mod sample;
@@ -18,6 +21,8 @@ mod _core {
     use crate::crack::crack;
     #[pymodule_export]
     use crate::diagram::{diagram, dual_edges, onext};
+    #[pymodule_export]
+    use crate::graph::{graph_compact, graph_components, graph_degrees, graph_polylines};
     #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]

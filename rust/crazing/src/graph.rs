@@ -1,6 +1,13 @@
 //! Any drawing of straight edges.
 
+mod components;
+mod polylines;
+
 use crate::error::{Error, Result};
+use crate::watch::Watch;
+
+pub use components::{Components, components};
+pub use polylines::{Polylines, polylines};
 
 /// A point in the plane.
 pub type Point = [f64; 2];
@@ -13,6 +20,51 @@ pub struct PlanarGraph {
     pub vertices: Vec<Point>,
     /// Rows of `vertices`, two an edge.
     pub edges: Vec<[i32; 2]>,
+}
+
+/// Edges that can be counted: a degree and the number of a half-edge then fit 32 bits.
+const MOST_EDGES: usize = (1 << 30) - 1;
+
+/// Vertices that 32-bit signed indices can number.
+const MOST_VERTICES: usize = i32::MAX as usize;
+
+/// Checks that neither `edges` nor vertices are too many, and that edges point into the `count` vertices.
+fn check(count: usize, edges: &[[i32; 2]]) -> Result<()> {
+    let few = |what, found, limit| if found <= limit { Ok(()) } else { Err(Error::TooMany { what, found, limit }) };
+    few("edges", edges.len(), MOST_EDGES)?;
+    few("vertices", count, MOST_VERTICES)?;
+    check_indices("edges", edges, 0, count)
+}
+
+/// The number of edge ends at every vertex; an edge from a vertex to itself counts twice.
+///
+/// # Errors
+/// [`Error::BadIndex`] or [`Error::TooMany`] for edges that do not fit; [`Error::Interrupted`].
+pub fn degrees(count: usize, edges: &[[i32; 2]], watch: Watch<'_>) -> Result<Vec<i32>> {
+    check(count, edges)?;
+    let mut degrees = vec![0; count];
+    for (k, edge) in edges.iter().enumerate() {
+        watch.poll_at(k)?;
+        edge.iter().for_each(|&vertex| degrees[vertex as usize] += 1);
+    }
+    Ok(degrees)
+}
+
+/// The same drawing without the vertices that no edge uses; the others keep their order, and so do the edges.
+///
+/// # Errors
+/// As [`degrees`].
+pub fn compact(vertices: &[Point], edges: &[[i32; 2]], watch: Watch<'_>) -> Result<PlanarGraph> {
+    let degrees = degrees(vertices.len(), edges, watch)?;
+    let mut kept = Vec::new();
+    let mut row_of = vec![-1; vertices.len()];
+    for (vertex, _) in degrees.iter().enumerate().filter(|&(_, &degree)| degree > 0) {
+        watch.poll_at(kept.len())?;
+        row_of[vertex] = kept.len() as i32;
+        kept.push(vertices[vertex]);
+    }
+    let edges = edges.iter().map(|edge| edge.map(|vertex| row_of[vertex as usize])).collect();
+    Ok(PlanarGraph { vertices: kept, edges })
 }
 
 /// Checks that every entry of `rows` is at least `low` and less than `limit`.

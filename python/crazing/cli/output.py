@@ -1,0 +1,57 @@
+"""Where a command puts its picture and its words."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import click
+
+from crazing.files import atomic_write
+
+#: The picture goes to standard output.
+STANDARD = "-"
+
+
+def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
+    """Refuses, before any work is done, a place that could not take the picture."""
+    if value == STANDARD:
+        if sys.stdout.isatty():
+            raise click.BadParameter("a PNG is not written to a terminal; name a file or redirect.")
+        return value
+    path = Path(value)
+    if path.suffix.lower() != ".png":
+        raise click.BadParameter(f"{value!r} does not end in .png.")
+    if path.is_dir() or not path.parent.is_dir():
+        raise click.BadParameter(f"{value!r} is a folder or lies in none.")
+    if not os.access(path.parent, os.W_OK):
+        raise click.BadParameter(f"the folder of {value!r} cannot be written to.")
+    return value
+
+
+def output_option(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Adds `-o` to a command that makes a PNG."""
+    words = "Where to write the picture, a PNG; - is standard output."
+    return click.option("-o", "--output", required=True, metavar="FILE", callback=_checked, help=words)(
+        function
+    )
+
+
+@contextlib.contextmanager
+def opened(output: str) -> Iterator[BinaryIO]:
+    """A binary file for the picture: `output` itself, replaced when all is written, or standard output."""
+    if output == STANDARD:
+        yield sys.stdout.buffer
+        sys.stdout.buffer.flush()
+    else:
+        with atomic_write(output) as file:
+            yield file
+
+
+def say(text: str, output: str) -> None:
+    """Prints the words of a result; to standard error where the picture has standard output."""
+    click.echo(text, err=output == STANDARD)

@@ -1,0 +1,27 @@
+"""A bar on standard error while a command works, where a person looks on."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from collections.abc import Callable, Iterator
+
+
+@contextlib.contextmanager
+def steps(total: int) -> Iterator[Callable[[str], None]]:
+    """Gives a function that names the next of `total` steps; silent unless standard error is a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda _: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.description:>12}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        # The first step begins at none done.
+        task = progress.add_task("", total=total, completed=-1)
+
+        def begin(name: str) -> None:
+            progress.update(task, description=name, advance=1)
+
+        yield begin

@@ -1,0 +1,109 @@
+"""`crazing texture`: a crack texture from a seed."""
+
+from __future__ import annotations
+
+import json
+import re
+import secrets
+from typing import Any
+
+import click
+import numpy as np
+from numpy.typing import NDArray
+
+import crazing
+from crazing import _core, arguments
+from crazing.cli.output import opened, output_option, say
+from crazing.cli.progress import steps
+
+
+def _size(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[int, int]:
+    """(width, height) in pixels, written as image tools do: `4096`, or `4096x2048`, width first."""
+    match = re.fullmatch(r"([1-9][0-9]{0,8})(?:x([1-9][0-9]{0,8}))?", value)
+    if match is None:
+        raise click.BadParameter(f"{value!r} is no size; 4096 or 4096x2048 (width x height) is wanted.")
+    height, width = arguments.size_pair((int(match[2] or match[1]), int(match[1])))
+    return width, height
+
+
+@click.command("texture")
+@click.option("--seed", type=click.IntRange(min=0), help="Seed; by default a fresh one, kept in the file.")
+@click.option(
+    "--size",
+    callback=_size,
+    default="1024",
+    metavar="PIXELS",
+    show_default=True,
+    help="4096, or 4096x2048: width x height.",
+)
+@click.option("--sites", type=click.IntRange(min=3), default=300, show_default=True, help="Number of cells.")
+@click.option(
+    "--distribution",
+    type=click.Choice(["uniform", "normal", "laplace"]),
+    default="uniform",
+    show_default=True,
+    help="How the sites are spread.",
+)
+@click.option(
+    "--width", type=float, help="Width of the widest cracks, in data units (the picture is 1 high)."
+)
+@click.option("--opening", type=float, help="Share of the maze's passages opened, 0 to 1.")
+@click.option("--threads", type=click.IntRange(1, 1024), help="Threads that draw; all cores by default.")
+@click.option("--json", "as_json", is_flag=True, help="Print the result as one line of JSON.")
+@output_option
+def command(*, threads: int | None, as_json: bool, output: str, **parameters: Any) -> None:
+    """Draws a crack texture.
+
+    The same seed and options give the same picture, on every machine and with any number of threads. They are
+    kept in the file, in a text chunk named "crazing".
+    """
+    if parameters["seed"] is None:
+        parameters["seed"] = secrets.randbits(32)
+    record = {
+        "algorithm_version": crazing.algorithm_version,
+        "version": _core.__version__,
+        "command": "texture",
+        "parameters": parameters,
+    }
+    with steps(3) as begin:
+        begin("cracking")
+        crack = _crack(**parameters)
+        begin("drawing")
+        width, height = parameters["size"]
+        picture = crazing.render(crack, (height, width), threads=threads)
+        begin("writing")
+        with opened(output) as file:
+            crazing.save_png(file, picture, text={"crazing": json.dumps(record)})
+    edges = len(crack.graph.edges)
+    if as_json:
+        say(json.dumps({**record, "output": output, "edges": edges}), output)
+    else:
+        say(f"{output}: {width} x {height} pixels, {edges} crack edges, seed {parameters['seed']}", output)
+
+
+def _crack(
+    *, seed: int, size: tuple[int, int], sites: int, distribution: str, **steps_of_crack: float | None
+) -> crazing.Crack:
+    rng = np.random.default_rng(seed)
+    aspect = size[0] / size[1]
+    if distribution == "uniform":
+        bounds = (0.0, 0.0, aspect, 1.0)
+        points = crazing.sample.uniform(sites, bounds=bounds, rng=rng)
+    else:
+        points = getattr(crazing.sample, distribution)(sites, rng=rng)
+        points, bounds = _framed(points, aspect)
+    given = {name: value for name, value in steps_of_crack.items() if value is not None}
+    return crazing.crack(points, bounds=bounds, rng=rng, **given)
+
+
+def _framed(
+    points: NDArray[np.float64], aspect: float
+) -> tuple[NDArray[np.float64], tuple[float, float, float, float]]:
+    """The points scaled into a frame of height 1 that just holds them all, and the frame.
+
+    Both coordinates are scaled alike: these distributions are known by their shape.
+    """
+    low, high = points.min(axis=0), points.max(axis=0)
+    frame = np.array([aspect, 1.0])
+    scale = float(((high - low) / frame).max()) or 1.0
+    return (points - (low + high) / 2) / scale + frame / 2, (0.0, 0.0, aspect, 1.0)

@@ -1,0 +1,226 @@
+"""Two skeleton methods on the same samples: what they share and what only one has."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from crazing.diagram import Diagram, as_diagram
+from crazing.graph import PlanarGraph
+from crazing.record import Record
+from crazing.skeleton import Skeleton, medial_axis
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Row: TypeAlias = "tuple[str, int | float, int | float]"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Comparison(Record):
+    """Two skeletons of one diagram; printed, it is a table.
+
+    Attributes
+    ----------
+    first, second : Skeleton
+        The skeletons, on the same diagram.
+    seconds : tuple of two floats
+        How long each took, the diagram not counted. Not part of equality.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> corners = [(x, y) for x in range(8) for y in range(4) if x in (0, 7) or y in (0, 3)]
+    >>> comparison = cz.compare(corners)
+    >>> comparison.first.method, comparison.second.method
+    ('one-step', 'edge-filter')
+    """
+
+    first: Skeleton
+    second: Skeleton
+    seconds: tuple[float, float] = field(default=(float("nan"), float("nan")), compare=False)
+
+    @property
+    def shared(self) -> PlanarGraph:
+        """Axis edges that both have, on the diagram's vertices, in the order of the first axis.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> comparison = cz.compare(cz.sample.uniform(100, rng=7))
+        >>> len(comparison.shared.edges) == len(comparison.second.axis.edges)
+        True
+        """
+        return self._select(self.first.axis, self._both[0])
+
+    @property
+    def only_first(self) -> PlanarGraph:
+        """Axis edges that only the first has, on the diagram's vertices, in the order of its axis.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> comparison = cz.compare(cz.sample.uniform(100, rng=7), "one-step", "one-step")
+        >>> len(comparison.only_first.edges)
+        0
+        """
+        return self._select(self.first.axis, ~self._both[0])
+
+    @property
+    def only_second(self) -> PlanarGraph:
+        """Axis edges that only the second has, on the diagram's vertices, in the order of its axis.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> comparison = cz.compare(cz.sample.uniform(100, rng=7), "one-step", "edge-filter")
+        >>> len(comparison.only_second.edges)
+        0
+        """
+        return self._select(self.second.axis, ~self._both[1])
+
+    @property
+    def table(self) -> list[Row]:
+        """Rows of (what, of the first, of the second): counts, lengths in data units, seconds.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> cz.compare(cz.sample.uniform(100, rng=7)).table[0][0]
+        'crust edges'
+        """
+        skeletons = (self.first, self.second)
+        crusts, axes = ([getattr(s, part) for s in skeletons] for part in ("crust", "axis"))
+        shared = [int(np.count_nonzero(kept)) for kept in self._both]
+        alone = [len(kept) - count for kept, count in zip(self._both, shared, strict=True)]
+        return [
+            ("crust edges", *_pair(len(crust.edges) for crust in crusts)),
+            ("axis edges", *_pair(len(axis.edges) for axis in axes)),
+            ("axis length", *_pair(axis.length for axis in axes)),
+            ("axis components", *_pair(axis.components for axis in axes)),
+            ("axis leaves", *_pair(axis.leaves for axis in axes)),
+            ("axis edges shared", *_pair(shared)),
+            ("axis edges only here", *_pair(alone)),
+            ("seconds", *self.seconds),
+        ]
+
+    def plot(self, axes: Sequence[Axes] | NDArray[np.object_] | None = None) -> NDArray[np.object_]:
+        """Draws the first skeleton, the second, and both over one another, with Matplotlib.
+
+        Every panel shows the bounding box of the samples grown by 5 %; Voronoi vertices can be far outside.
+        The colours are of Okabe and Ito's set, which the colour-blind can tell apart.
+
+        Parameters
+        ----------
+        axes : sequence of three matplotlib.axes.Axes, optional
+            Where to draw; a new row of panels of pyplot if not given.
+
+        Returns
+        -------
+        (3,) ndarray of matplotlib.axes.Axes
+            What was drawn on; showing it is left to the caller.
+
+        Raises
+        ------
+        ImportError
+            If Matplotlib is not installed.
+        ValueError
+            If not three axes are given.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> from matplotlib.figure import Figure
+        >>> panels = cz.compare(cz.sample.uniform(100, rng=7)).plot(Figure().subplots(1, 3))
+        >>> [panel.get_title() for panel in panels]
+        ['one-step', 'edge-filter', 'both']
+        """
+        from crazing import panels
+
+        return panels.draw(self, axes)
+
+    def __str__(self) -> str:
+        rows = [("", self.first.method, self.second.method)]
+        rows += [(name, _text(a), _text(b)) for name, a, b in self.table]
+        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+        return "\n".join(f"{name:{widths[0]}}  {a:>{widths[1]}}  {b:>{widths[2]}}" for name, a, b in rows)
+
+    __repr__ = __str__
+
+    @cached_property
+    def _both(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """For every axis edge of the first and of the second, whether the other has it too."""
+        # Every method names the same one of coincident vertices, so rows can be compared.
+        vertices = len(self.first.diagram.vertices)
+        first, second = (_keys(skeleton.axis.edges, vertices) for skeleton in (self.first, self.second))
+        return np.isin(first, second), np.isin(second, first)
+
+    def _select(self, axis: PlanarGraph, kept: NDArray[np.bool_]) -> PlanarGraph:
+        return PlanarGraph(self.first.diagram.vertices, axis.edges[kept])
+
+
+def compare(points: ArrayLike | Diagram, first: str = "one-step", second: str = "edge-filter") -> Comparison:
+    """Compares two skeleton methods on the same samples, which are triangulated once.
+
+    Parameters
+    ----------
+    points : (n, 2) array_like or Diagram
+        Samples of curves in data units, or their diagram.
+    first, second : str
+        Methods of `medial_axis`: "initial", "edge-filter" or "one-step".
+
+    Returns
+    -------
+    Comparison
+        Both skeletons, the axis edges they share and do not share, the time each took; `print` shows a table.
+
+    Raises
+    ------
+    DegenerateInputError
+        If there are fewer than three distinct points, or all lie on one line.
+    CrazingError
+        If a coordinate is not finite.
+    ValueError
+        If a method is unknown.
+
+    Notes
+    -----
+    Source: chapter 5 of the thesis, which sets edge filtering against the one-step algorithm of C. Gold and
+    J. Snoeyink, A one-step crust and skeleton extraction algorithm, Algorithmica 30, 2001.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> print(cz.compare([(x, y) for x in range(8) for y in range(4) if x in (0, 7) or y in (0, 3)]))
+                           one-step  edge-filter
+    crust edges            ...
+    seconds                ...
+    """
+    diagram = as_diagram(points)
+    results, seconds = [], []
+    for method in (first, second):
+        start = time.perf_counter()
+        results.append(medial_axis(diagram, method=method))
+        seconds.append(time.perf_counter() - start)
+    return Comparison(results[0], results[1], (seconds[0], seconds[1]))
+
+
+def _pair(values: Iterable[int | float]) -> tuple[int | float, int | float]:
+    first, second = values
+    return first, second
+
+
+def _text(value: int | float) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _keys(edges: NDArray[np.int32], vertices: int) -> NDArray[np.int64]:
+    """One number an edge, the same in both directions."""
+    ends = np.sort(edges, axis=1).astype(np.int64)
+    return ends[:, 0] * vertices + ends[:, 1]

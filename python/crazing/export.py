@@ -1,0 +1,141 @@
+"""Drawings as files: SVG for the eye and the plotter, GeoJSON for maps, DXF for machines."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+from itertools import pairwise
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+from xml.sax.saxutils import escape, quoteattr
+
+import numpy as np
+from numpy.typing import NDArray
+
+from crazing import _core, arguments, files
+from crazing.extras import require
+
+if TYPE_CHECKING:
+    from crazing.graph import PlanarGraph
+
+# Control characters, lone surrogates and two more that XML 1.0 has no way to write (section 2.2).
+_NOT_XML = {
+    code: "\ufffd" for code in (*range(32), *range(0xD800, 0xE000), 0xFFFE, 0xFFFF) if code not in (9, 10, 13)
+}
+
+#: Half the side of the largest drawing: the box around it and its margin must be floats too.
+_FARTHEST = 1e300
+
+
+def save(graph: PlanarGraph, path: str | os.PathLike[str]) -> None:
+    """Writes `graph` in the format that the ending of `path` names; see `PlanarGraph.save`."""
+    ending = PurePath(path).suffix.lower()
+    if ending not in _WRITERS:
+        raise ValueError(f"path is {os.fspath(path)!r}; an ending of {', '.join(_WRITERS)} is wanted")
+    content = _WRITERS[ending](graph)
+    with files.atomic_write(path) as file:
+        file.write(content)
+
+
+def svg(
+    graph: PlanarGraph, *, title: str | None = None, stroke: str = "black", width: float | None = None
+) -> str:
+    """The polylines as an SVG picture; see `PlanarGraph.to_svg`."""
+    left, low, right, high = _extent(graph)
+    across = max(right - left, high - low) or 1.0
+    width = across / 500 if width is None else arguments.number(width, "width", low=0.0)
+    # The margin keeps line ends inside, and a box without height, which would show nothing, from being one.
+    margin = max(width, across / 1000)
+    box = (left - margin, -high - margin, right - left + 2 * margin, high - low + 2 * margin)
+    style = f'fill="none" stroke={_attribute(stroke)} stroke-width="{width!r}"'
+    return "\n".join(
+        [
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{" ".join(map(repr, box))}">',
+            *([] if title is None else [f"<title>{escape(title.translate(_NOT_XML))}</title>"]),
+            f"<metadata>{_maker()}</metadata>",
+            f'<path {style} stroke-linecap="round" stroke-linejoin="round"',
+            f'd="{_path(graph)}"/>',
+            "</svg>",
+        ]
+    )
+
+
+def geojson(graph: PlanarGraph) -> str:
+    """One GeoJSON feature; its coordinates are those of the data, which need not be degrees."""
+    _extent(graph)
+    feature = {
+        "type": "Feature",
+        "properties": {"maker": _maker(), "edges": len(graph.edges), "length": graph.length},
+        "geometry": graph.__geo_interface__,
+    }
+    return json.dumps(feature, allow_nan=False)
+
+
+def dxf(graph: PlanarGraph) -> str:
+    """One LWPOLYLINE a line in the model space of a DXF R2010 drawing, closed for rings."""
+    ezdxf = require("ezdxf", "cad")
+    left, low, right, high = _extent(graph)
+    drawing = ezdxf.new("R2010")
+    space = drawing.modelspace()
+    for line in _lines(graph):
+        # A ring of fewer than three distinct points encloses nothing: it is drawn there and back.
+        ring = len(line) > 3 and bool((line[0] == line[-1]).all())
+        space.add_lwpolyline(line[:-1].tolist() if ring else line.tolist(), close=ring)
+    # Programs open the file with the drawing in view.
+    drawing.set_modelspace_vport(height=(high - low) or 1.0, center=((left + right) / 2, (low + high) / 2))
+    text = io.StringIO()
+    drawing.write(text)
+    return text.getvalue()
+
+
+_WRITERS = {
+    ".svg": lambda graph: svg(graph).encode(),
+    ".geojson": lambda graph: geojson(graph).encode(),
+    # DXF is UTF-8 from R2007 on.
+    ".dxf": lambda graph: dxf(graph).encode(),
+}
+
+
+def _maker() -> str:
+    return f"crazing {_core.__version__}"
+
+
+def _attribute(text: str) -> str:
+    return quoteattr(text.translate(_NOT_XML))
+
+
+def _lines(graph: PlanarGraph) -> list[NDArray[np.float64]]:
+    coords, offsets = graph.polylines()
+    return np.split(coords, offsets[1:-1]) if len(offsets) > 1 else []
+
+
+def _extent(graph: PlanarGraph) -> tuple[float, float, float, float]:
+    """Box around the edges: (xmin, ymin, xmax, ymax); of no edges, an empty box at the origin."""
+    if not len(graph.edges):
+        return 0.0, 0.0, 0.0, 0.0
+    used = np.unique(graph.edges)
+    points = graph.vertices[used]
+    bad = ~np.isfinite(points).all(axis=1)
+    if bad.any():
+        row = int(used[np.argmax(bad)])
+        x, y = graph.vertices[row].tolist()
+        raise ValueError(
+            f"vertices[{row}] is ({x}, {y}); every coordinate of a drawing to be saved must be finite"
+        )
+    left, low = points.min(axis=0).tolist()
+    right, high = points.max(axis=0).tolist()
+    if max(right / 2 - left / 2, high / 2 - low / 2) > _FARTHEST:
+        raise ValueError(
+            f"the drawing reaches from ({left}, {low}) to ({right}, {high}), too far to be saved"
+        )
+    return left, low, right, high
+
+
+def _path(graph: PlanarGraph) -> str:
+    """The `d` attribute. `repr` writes the shortest number that reads back to the same bits."""
+    coords, offsets = graph.polylines()
+    # Adding zero turns -0.0 into 0.0.
+    points = [f"{x!r} {y!r}" for x, y in (coords * (1.0, -1.0) + 0.0).tolist()]
+    bounds = offsets.tolist()
+    return "".join("M" + "L".join(points[start:end]) for start, end in pairwise(bounds))
