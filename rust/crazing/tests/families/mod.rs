@@ -1,5 +1,5 @@
 //! Point sets named after the trouble they make.
-#![allow(dead_code, clippy::unwrap_used, clippy::panic, missing_docs)]
+#![allow(dead_code, unreachable_pub, clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crazing::Point;
 use crazing::rng::{Rng, stream};
@@ -33,7 +33,7 @@ pub fn family(name: &str, n: usize, seed: u64) -> Vec<Point> {
             "grid" => [(i % side) as f64, (i / side) as f64],
             "circle" => [turn(i, n).cos(), turn(i, n).sin()],
             "two circles" => {
-                let r = if i % 2 == 0 { 1.0 } else { 2.0 };
+                let r = if i.is_multiple_of(2) { 1.0 } else { 2.0 };
                 [r * turn(i, n).cos(), r * turn(i, n).sin()]
             }
             "line" => [i as f64, 2.0 * i as f64],
