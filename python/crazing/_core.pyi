@@ -1,5 +1,7 @@
 """The compiled module, as mypy sees it; `mypy.stubtest` holds it to the truth."""
 
+__all__ = ["DEBUG", "CrazingError", "DegenerateInputError", "InternalError", "__version__"]
+
 __version__: str
 DEBUG: bool
 
