@@ -1,1 +1,5 @@
 """Voronoi curves, skeletons, mazes and crack textures, computed in Rust."""
+
+from crazing import sample
+
+__all__ = ["sample"]

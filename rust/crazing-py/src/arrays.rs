@@ -1,8 +1,10 @@
 //! NumPy arrays to slices of rows and back, without a copy.
 
-use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+
+use crate::guard::checked;
 
 /// The rows of a C-contiguous `(n, N)` array. The face makes every array so before it calls.
 pub(crate) fn rows<'a, T: Element, const N: usize>(array: &'a PyReadonlyArray2<'_, T>) -> PyResult<&'a [[T; N]]> {
@@ -17,4 +19,17 @@ pub(crate) fn rows<'a, T: Element, const N: usize>(array: &'a PyReadonlyArray2<'
 pub(crate) fn table<T: Element, const N: usize>(py: Python<'_>, rows: Vec<[T; N]>) -> PyResult<Bound<'_, PyArray2<T>>> {
     let count = rows.len();
     PyArray1::from_vec(py, rows.into_flattened()).reshape([count, N])
+}
+
+/// The entries of a contiguous array that has one for each row of another.
+pub(crate) fn column<'a, T: Element>(
+    array: &'a PyReadonlyArray1<'_, T>,
+    name: &'static str,
+    wanted: usize,
+) -> PyResult<&'a [T]> {
+    let found = array.len();
+    match array.as_slice() {
+        Ok(entries) if found == wanted => Ok(entries),
+        _ => checked(Err(crazing::Error::BadLength { array: name, found, wanted })),
+    }
 }

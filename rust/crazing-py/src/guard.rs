@@ -52,6 +52,11 @@ pub(crate) fn detached<T: Send>(
     }
 }
 
+/// The value of a core result, or its error as a Python exception.
+pub(crate) fn checked<T>(result: crazing::Result<T>) -> PyResult<T> {
+    result.map_err(|error| to_python(&error))
+}
+
 /// The one map from core errors to Python exceptions.
 fn to_python(error: &Error) -> PyErr {
     let text = error.to_string();

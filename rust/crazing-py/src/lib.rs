@@ -1,7 +1,12 @@
 //! The binding: arrays in, arrays out, the interpreter detached while the core works.
 
 mod arrays;
+mod crack;
+mod diagram;
 mod guard;
+mod maze;
+mod sample;
+mod skeleton;
 
 use pyo3::prelude::*;
 
@@ -10,7 +15,17 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
+    use crate::crack::crack;
+    #[pymodule_export]
+    use crate::diagram::{diagram, dual_edges, onext};
+    #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
+    #[pymodule_export]
+    use crate::maze::voronoi_maze;
+    #[pymodule_export]
+    use crate::sample::{sample_laplace, sample_normal, sample_uniform};
+    #[pymodule_export]
+    use crate::skeleton::{axis_edges, one_step, second};
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

@@ -65,6 +65,14 @@ pub enum Error {
         /// How many rows it must have.
         wanted: usize,
     },
+    /// Arrays of a diagram that contradict each other.
+    #[error("{array}[{row}] contradicts the other arrays of its diagram")]
+    Inconsistent {
+        /// Which array.
+        array: &'static str,
+        /// Which row.
+        row: usize,
+    },
     /// A number outside its allowed range.
     #[error("{name} is {value}; {wanted}")]
     BadValue {

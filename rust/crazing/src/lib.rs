@@ -2,9 +2,20 @@
 //!
 //! Knows no Python, no files, no clock and no global random state. See `rust/ARCHITECTURE.md`.
 
+pub mod clip;
+pub mod crack;
 pub mod diagram;
 pub mod error;
 pub mod graph;
+pub mod maze;
+mod parallel;
+pub mod predicates;
+pub mod quad_edge;
+pub mod quantile;
+pub mod rng;
+pub mod sample;
+pub mod sets;
+pub mod skeleton;
 pub mod watch;
 
 pub use diagram::{Diagram, DiagramView};

@@ -1,5 +1,16 @@
 //! The table of edges with two faces: row `k` of `edges` and row `k` of `dual_edges` are one edge and its dual.
 
+mod build;
+mod delaunay;
+mod order;
+pub mod scale;
+mod vertices;
+
+pub use build::diagram;
+pub(crate) use build::triangulate_near_one;
+pub use order::insertion as insertion_order;
+pub use vertices::representatives;
+
 use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};
 
@@ -7,7 +18,8 @@ use crate::graph::{Point, check_indices};
 ///
 /// Voronoi vertex `i` is triangle `i`, cell `i` is site `i`. Edge `k` runs from `edges[k][0]` to `edges[k][1]`;
 /// `dual_edges[k]` holds the triangle on its right and the one on its left, -1 for the outside. Edges of the hull
-/// have the outside on their left.
+/// have the outside on their left, all others run from the lower site to the higher. Rows of triangles and edges
+/// follow a Hilbert curve.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Diagram {
     /// Distinct points, in the order of their first appearance.
@@ -66,5 +78,17 @@ impl DiagramView<'_> {
         check_indices("triangles", self.triangles, 0, self.sites.len())?;
         check_indices("edges", self.edges, 0, self.sites.len())?;
         check_indices("dual_edges", self.dual_edges, -1, self.triangles.len())
+    }
+
+    /// Checks that there is a triangle, which curves and skeletons need.
+    ///
+    /// # Errors
+    /// [`Error::TooFewSites`] or [`Error::Collinear`].
+    pub fn check_triangle(&self) -> Result<()> {
+        match self.sites.len() {
+            found @ 0..3 => Err(Error::TooFewSites { found }),
+            found if self.triangles.is_empty() => Err(Error::Collinear { found }),
+            _ => Ok(()),
+        }
     }
 }

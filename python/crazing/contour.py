@@ -1,0 +1,271 @@
+"""Level lines of an image, sub-pixel, and points spread evenly along them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from crazing import arguments
+from crazing.errors import CrazingError
+from crazing.extras import require
+from crazing.images import brightness
+from crazing.record import Record
+
+#: Fewest points a line is given: with two, a closed line would be gone.
+FEWEST = 3
+
+# A thousandth of a pixel apart is far finer than any pixel can tell; it bounds how many points are asked for.
+_FINEST_SPACING = 1e-3
+
+# Far above the rounding of coordinates up to 2**16 pixels, 1e-11, and far below what pixels can tell.
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Contours(Record):
+    """Lines one after the other in one table.
+
+    Attributes
+    ----------
+    coords : (k, 2) float64
+        Points in the frame of pixels: x right, y up, the centre of pixel (row, col) at (col + 0.5, H - row - 0.5).
+        Neighbours are distinct; a closed line does not repeat its first point.
+    offsets : (lines + 1,) int64
+        Line j is `coords[offsets[j]:offsets[j + 1]]`; it has two points or more.
+    closed : (lines,) bool
+        Whether the last point of line j is joined to its first. A line is open where it leaves the image.
+    """
+
+    coords: NDArray[np.float64]
+    offsets: NDArray[np.int64]
+    closed: NDArray[np.bool_]
+
+    def __repr__(self) -> str:
+        return f"Contours({len(self)} lines, {len(self.coords)} points)"
+
+    def __len__(self) -> int:
+        return len(self.closed)
+
+    @property
+    def lines(self) -> list[NDArray[np.float64]]:
+        """One (k, 2) array a line."""
+        return np.split(self.coords, self.offsets[1:-1]) if len(self) else []
+
+    @property
+    def length(self) -> NDArray[np.float64]:
+        """(lines,) length of every line in pixels, the joining edge of closed lines with it."""
+        travelled = _travelled(self)
+        return travelled[self.offsets[1:]] - travelled[self.offsets[:-1]]
+
+    def evenly(self, n: int | None = None, *, spacing: float | None = None) -> NDArray[np.float64]:
+        """Points at even distances along the lines, line after line.
+
+        Either `n` points in all, shared in proportion to length (largest remainders first), or on every line the
+        number that brings its step nearest to `spacing` pixels. A closed line starts at its first point, an open one
+        has points at both ends. A line is given 3 points or more, or none: of the longest lines as many are kept as
+        have a fair share of 3 among themselves; with `spacing`, a line too short for 3 points is left out.
+
+        Returns
+        -------
+        (n, 2) float64
+            In the frame of `coords`.
+
+        Raises
+        ------
+        CrazingError
+            If every line is too short for `spacing`.
+        ValueError
+            If both or neither of `n` and `spacing` are given, or `n` is less than 3.
+        """
+        if (n is None) == (spacing is None):
+            raise ValueError("exactly one of n and spacing is wanted")
+        if spacing is None:
+            return _walk(self, shares(self.length, arguments.count(n, "n", low=FEWEST)))
+        step = arguments.number(spacing, "spacing", low=_FINEST_SPACING)
+        return _walk(self, _counts(self, step))
+
+
+def contours(image: ArrayLike, level: float | Sequence[float] = 0.5) -> Contours:
+    """The lines where the brightness of an image, linear between the centres of pixels, is `level`.
+
+    Parameters
+    ----------
+    image : array_like
+        See `crazing.sample.from_image`; 2 x 2 pixels or more.
+    level : float or sequence of float
+        One brightness or several; the lines of the first come first.
+
+    Raises
+    ------
+    CrazingError
+        If there is no line, or a pixel is not finite.
+    ImportError
+        If contourpy, of the extra `image`, is not installed.
+
+    Source
+    ------
+    Thesis, section 6 (contours of a leaf at one height and at several).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from crazing.contour import contours
+    >>> image = np.zeros((3, 3))
+    >>> image[1, 1] = 1
+    >>> found = contours(image)
+    >>> found
+    Contours(1 lines, 4 points)
+    >>> found.lines[0][np.lexsort(found.lines[0].T)]
+    array([[1.5, 1. ],
+           [1. , 1.5],
+           [2. , 1.5],
+           [1.5, 2. ]])
+    """
+    grey = brightness(image)
+    levels = np.atleast_1d(arguments.real_array(level, "level"))
+    if levels.ndim != 1 or not levels.size or not np.isfinite(levels).all():
+        raise ValueError(f"level is {level!r}; a finite number or a sequence of them is wanted")
+    if min(grey.shape) < 2:
+        raise ValueError(f"image has {grey.shape[0]} x {grey.shape[1]} pixels; 2 x 2 or more are wanted")
+    traced = _trace(grey, levels)
+    if not len(traced):
+        raise CrazingError(_nothing_found(np.asarray(image), grey, levels))
+    return traced
+
+
+def _nothing_found(image: NDArray[Any], grey: NDArray[np.float64], levels: NDArray[np.float64]) -> str:
+    wanted = ", ".join(f"{level:g}" for level in levels[:5]) + (", ..." if len(levels) > 5 else "")
+    text = f"no contour at level {wanted}: the values of the image run from {grey.min():g} to {grey.max():g}"
+    if image.dtype.kind in "iu":
+        text += f" ({image.dtype} divided by {np.iinfo(image.dtype).max})"
+    return text
+
+
+def _trace(grey: NDArray[np.float64], levels: NDArray[np.float64]) -> Contours:
+    contourpy = require("contourpy", "image")
+    height, width = grey.shape
+    generator = contourpy.contour_generator(
+        x=np.arange(width) + 0.5,
+        y=height - 0.5 - np.arange(height),
+        z=grey,
+        name="serial",
+        line_type=contourpy.LineType.ChunkCombinedOffset,
+    )
+    traced = [generator.lines(float(level)) for level in levels]
+    coords = [points[0] for points, _ in traced if points[0] is not None]
+    sizes = [np.diff(offsets[0].astype(np.int64)) for _, offsets in traced if offsets[0] is not None]
+    every = np.concatenate([np.empty((0, 2)), *coords])
+    return _tidy(_on_grid(every), np.concatenate([np.empty(0, np.int64), *sizes]))
+
+
+def _on_grid(coords: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The coordinates, those within rounding of a line of pixel centres put on it.
+
+    Every vertex lies on such a line; interpolation leaves it by a unit in the last place, at the border out of the
+    image.
+    """
+    nearest = np.rint(coords - 0.5) + 0.5
+    return np.where(np.abs(coords - nearest) < _ROUNDING, nearest, coords)
+
+
+def _tidy(coords: NDArray[np.float64], sizes: NDArray[np.int64]) -> Contours:
+    """Lines without repeated points, and without those that were nothing but one point.
+
+    A line through a pixel that is exactly at the level meets the same point on several grid edges.
+    """
+    last = np.cumsum(sizes) - 1
+    first = last - sizes + 1
+    closed = (coords[first] == coords[last]).all(axis=1)
+    keep = np.ones(len(coords), dtype=bool)
+    keep[1:] = (coords[1:] != coords[:-1]).any(axis=1)
+    keep[first] = True
+    kept = np.concatenate([[0], np.cumsum(keep)])
+    distinct = kept[last + 1] - kept[first]
+    # Of a closed line, the point that repeats the first is the last one kept.
+    ends = np.flatnonzero(keep)[kept[last[closed] + 1] - 1]
+    keep[ends] = False
+    distinct[closed] -= 1
+    whole = distinct >= 2
+    keep &= np.repeat(whole, sizes)
+    offsets = np.concatenate([[0], np.cumsum(distinct[whole])])
+    return Contours(coords[keep], offsets, closed[whole])
+
+
+def _travelled(lines: Contours) -> NDArray[np.float64]:
+    """(k + 1,) distance from the first point of the first line, with no gap between lines.
+
+    Written without `np.hypot` and `np.interp`, whose last bit depends on the platform.
+    """
+    if not len(lines):
+        return np.zeros(1)
+    steps = _following(lines) - lines.coords
+    squares = steps * steps
+    lengths = np.sqrt(squares[:, 0] + squares[:, 1])
+    lengths[lines.offsets[1:][~lines.closed] - 1] = 0.0
+    return np.concatenate([[0.0], np.cumsum(lengths)])
+
+
+def _following(lines: Contours) -> NDArray[np.float64]:
+    """The point after each; after the last of a line, its first."""
+    after = np.roll(lines.coords, -1, axis=0)
+    after[lines.offsets[1:] - 1] = lines.coords[lines.offsets[:-1]]
+    return after
+
+
+def shares(length: NDArray[np.float64], n: int) -> NDArray[np.int64]:
+    """`n` points shared among lines in proportion to length, 3 or more to a line or none.
+
+    The longest lines are kept, as many as have each a fair share of 3 among themselves; then whole shares are given
+    and the rest by largest remainder. Ties go to the line that comes first. The sum is `n`.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from crazing.contour import shares
+    >>> shares(np.array([10.0, 1.0, 20.0]), 10)
+    array([3, 0, 7])
+    """
+    order = np.argsort(-length, kind="stable")
+    sums = np.cumsum(length[order])
+    # Each line's share among itself and the longer ones: it never grows along the order, and the first is n.
+    fair = n * length[order] / sums >= FEWEST
+    kept = max(1, int(np.logical_and.accumulate(fair).sum()))
+    quota = n * length[order[:kept]] / sums[kept - 1]
+    counts = np.floor(quota).astype(np.int64)
+    largest = np.argsort(counts - quota, kind="stable")
+    counts[largest[: n - int(counts.sum())]] += 1
+    result = np.zeros(len(length), dtype=np.int64)
+    result[order[:kept]] = counts
+    return result
+
+
+def _counts(lines: Contours, step: float) -> NDArray[np.int64]:
+    counts = np.rint(lines.length / step).astype(np.int64) + ~lines.closed
+    counts[counts < FEWEST] = 0
+    if not counts.any():
+        longest = float(lines.length.max(initial=0.0))
+        raise CrazingError(
+            f"spacing is {step:g} pixels; the longest contour, of {longest:g}, is too short for it"
+        )
+    arguments.count(int(counts.sum()), "number of points at this spacing")
+    return counts
+
+
+def _walk(lines: Contours, counts: NDArray[np.int64]) -> NDArray[np.float64]:
+    """`counts[j]` points at even distances along line j."""
+    travelled, length = _travelled(lines), lines.length
+    line = np.repeat(np.arange(len(lines)), counts)
+    step = np.arange(len(line)) - np.repeat(np.cumsum(counts) - counts, counts)
+    gaps = np.where(lines.closed, counts, counts - 1)[line]
+    start, stop = lines.offsets[line], lines.offsets[line + 1]
+    distance = travelled[start] + length[line] * step / gaps
+    # The edge that holds the distance; rounding must not lead it into a neighbouring line.
+    edge = np.clip(np.searchsorted(travelled, distance, side="right") - 1, start, stop - 1)
+    span = travelled[edge + 1] - travelled[edge]
+    part = np.divide(distance - travelled[edge], span, out=np.zeros(len(line)), where=span > 0)
+    after = _following(lines)
+    return lines.coords[edge] + np.clip(part, 0.0, 1.0)[:, None] * (after[edge] - lines.coords[edge])

@@ -1,0 +1,173 @@
+"""Pictures as arrays: reading files, and colour to brightness."""
+
+from __future__ import annotations
+
+import os
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from crazing.errors import CrazingError
+from crazing.extras import require
+
+#: Most pixels of a file that is read: 16384 x 16384, the largest picture of our own.
+PIXEL_LIMIT = 1 << 28
+
+# First bytes, Pillow's module and class. A file of any other kind is refused before a decoder sees it.
+_DECODERS = (
+    (b"\x89PNG\r\n\x1a\n", "PngImagePlugin", "PngImageFile"),
+    (b"\xff\xd8\xff", "JpegImagePlugin", "JpegImageFile"),
+    (b"II*\0", "TiffImagePlugin", "TiffImageFile"),
+    (b"MM\0*", "TiffImagePlugin", "TiffImageFile"),
+    (b"II+\0", "TiffImagePlugin", "TiffImageFile"),
+    (b"MM\0+", "TiffImagePlugin", "TiffImageFile"),
+    (b"BM", "BmpImagePlugin", "BmpImageFile"),
+    (b"GIF8", "GifImagePlugin", "GifImageFile"),
+    (b"RIFF", "WebPImagePlugin", "WebPImageFile"),
+)
+
+# Pillow's modes of one number a pixel; all others become colour.
+_KEPT = frozenset({"1", "L", "F", "I", "I;16", "I;16L", "I;16B", "I;16N"})
+
+# Rec. ITU-R BT.709, item 3.2.
+_LUMINANCE = (0.2126, 0.7152, 0.0722)
+
+
+def read_image(path: str | os.PathLike[str]) -> NDArray[Any]:
+    """The first picture of a PNG, JPEG, TIFF, BMP, GIF or WebP file.
+
+    Needs Pillow, the extra `image`. The orientation noted by a camera is applied.
+
+    Parameters
+    ----------
+    path : str or path-like
+        The file; its content decides the format, not its name.
+
+    Returns
+    -------
+    ndarray
+        Row 0 is the top. Grey pictures and label images (H, W) with the values of the file: bool for 1 bit, uint8,
+        uint16 or int32, float32. Colour (H, W, 3), with transparency (H, W, 4), uint8; palettes are looked up.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be opened, e.g. FileNotFoundError.
+    CrazingError
+        If the file is no such picture, is damaged or has more than 2**28 pixels (found in its header, before any
+        pixel is decoded).
+    ImportError
+        If Pillow is not installed.
+
+    Examples
+    --------
+    >>> import os, tempfile
+    >>> from PIL import Image
+    >>> from crazing.images import read_image
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = os.path.join(folder, "grey.png")
+    ...     Image.new("L", (3, 2), 7).save(path)
+    ...     read_image(path)
+    array([[7, 7, 7],
+           [7, 7, 7]], dtype=uint8)
+    """
+    with open(path, "rb") as stream:
+        decoder = _decoder(stream, path)
+        try:
+            with decoder(stream) as picture:
+                _check_size(picture.size, path)
+                return _pixels(picture)
+        except (CrazingError, MemoryError):
+            raise
+        except Exception as error:  # Decoders of damaged files raise whatever their parsing runs into.
+            if isinstance(error, OSError) and error.errno is not None:
+                raise
+            raise CrazingError(f"{os.fspath(path)} cannot be read as a picture: {error}") from error
+
+
+def _decoder(stream: IO[bytes], path: str | os.PathLike[str]) -> Any:
+    """Pillow's class for the content of `stream`.
+
+    Not `PIL.Image.open`: its limit on pixels lies below ours and is one global number for all users of Pillow.
+    """
+    start = stream.read(8)
+    stream.seek(0)
+    for magic, module, name in _DECODERS:
+        if start.startswith(magic):
+            return getattr(require(f"PIL.{module}", "image"), name)
+    raise CrazingError(f"{os.fspath(path)} is not a picture; PNG, JPEG, TIFF, BMP, GIF or WebP is wanted")
+
+
+def _check_size(size: tuple[int, int], path: str | os.PathLike[str]) -> None:
+    width, height = size
+    if width * height > PIXEL_LIMIT:
+        raise CrazingError(f"{os.fspath(path)} has {width} x {height} pixels; at most {PIXEL_LIMIT} are read")
+
+
+def _pixels(picture: Any) -> NDArray[Any]:
+    """The decoded pixels, upright, in native byte order."""
+    require("PIL.ImageOps", "image").exif_transpose(picture, in_place=True)
+    if picture.mode not in _KEPT:
+        picture = picture.convert("RGBA" if picture.has_transparency_data else "RGB")
+    pixels = np.array(picture)
+    return pixels.astype(pixels.dtype.newbyteorder("="), copy=False)
+
+
+def brightness(image: ArrayLike, name: str = "image") -> NDArray[np.float64]:
+    """One number a pixel of a grey or colour image.
+
+    Parameters
+    ----------
+    image : array_like
+        (H, W) grey, (H, W, 3) colour or (H, W, 4) colour with straight alpha, of bool, integers or floats.
+
+    Returns
+    -------
+    (H, W) float64
+        Integers divided by the largest number of their dtype, so that unsigned ones lie in [0, 1]; bools 0 and 1;
+        floats as they are. Colour becomes its luminance, weighted as in Rec. 709, of the values as stored; what is
+        transparent is laid over white, which is 1.
+
+    Raises
+    ------
+    TypeError
+        If the dtype is none of these.
+    ValueError
+        If the shape is none of these.
+    CrazingError
+        If a pixel is NaN or infinite; the message names the first.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from crazing.images import brightness
+    >>> brightness(np.array([[0, 51, 255]], dtype=np.uint8))
+    array([[0. , 0.2, 1. ]])
+    """
+    array = np.asarray(image)
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"{name} has dtype {array.dtype}; bool, integers or floats are wanted")
+    if array.ndim != 2 and not (array.ndim == 3 and array.shape[2] in (3, 4)):
+        raise ValueError(f"{name} has shape {array.shape}; (H, W), (H, W, 3) or (H, W, 4) is wanted")
+    if array.dtype.kind == "f":
+        _check_finite(array, name)
+    if array.ndim == 2:
+        return _scaled(array)
+    grey = sum(weight * _scaled(array[..., i]) for i, weight in enumerate(_LUMINANCE))
+    if array.shape[2] == 4:
+        alpha = _scaled(array[..., 3])
+        grey = alpha * grey + (1.0 - alpha)
+    return np.asarray(grey, dtype=np.float64)
+
+
+def _check_finite(array: NDArray[Any], name: str) -> None:
+    bad = ~np.isfinite(array)
+    if bad.any():
+        where = tuple(int(i) for i in np.unravel_index(np.argmax(bad), array.shape))
+        raise CrazingError(f"{name}{list(where)} is {array[where]}; every pixel must be finite")
+
+
+def _scaled(array: NDArray[Any]) -> NDArray[np.float64]:
+    values = array.astype(np.float64)
+    return values / np.iinfo(array.dtype).max if array.dtype.kind in "iu" else values

@@ -1,0 +1,230 @@
+"""Point sets: distributions, and the contours of images."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from crazing import _core, arguments
+from crazing.contour import contours
+from crazing.rng import RNG, key
+
+__all__ = ["from_image", "laplace", "normal", "uniform"]
+
+Points: TypeAlias = NDArray[np.float64]
+
+
+def uniform(n: int, *, bounds: Sequence[float] = (0, 0, 1, 1), rng: RNG = None) -> Points:
+    """Points spread evenly at random over a rectangle.
+
+    Point i depends on `rng` and i alone: fewer points from the same seed are the first of the more.
+
+    Parameters
+    ----------
+    n : int
+        Number of points, 0 or more.
+    bounds : (xmin, ymin, xmax, ymax)
+        The rectangle, in data units.
+    rng : int, numpy.random.Generator or None
+        The seed; the same on every platform and with any number of threads.
+
+    Returns
+    -------
+    (n, 2) float64
+        x and y, in data units.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not what is listed above.
+    MemoryError
+        If the points do not fit.
+
+    Source
+    ------
+    Thesis, section 8.1.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> cz.sample.uniform(2, bounds=(0, 0, 10, 1), rng=7).round(3)
+    array([[4.994, 0.93 ],
+           [9.937, 0.432]])
+    """
+    number = arguments.count(n, "n")
+    return _core.sample_uniform(number, arguments.bounds_tuple(bounds), key(rng))
+
+
+def normal(n: int, *, loc: ArrayLike = 0.0, scale: ArrayLike = 1.0, rng: RNG = None) -> Points:
+    """Points whose coordinates are normal, each independently of the other: dense in the middle.
+
+    Point i depends on `rng` and i alone. Quantiles by Wichura's AS 241, about 1e-15 accurate.
+
+    Parameters
+    ----------
+    n : int
+        Number of points, 0 or more.
+    loc : float or (x, y)
+        Mean, in data units.
+    scale : float or (x, y)
+        Standard deviation, 0 or more, in data units.
+    rng : int, numpy.random.Generator or None
+        The seed; the same on every platform and with any number of threads.
+
+    Returns
+    -------
+    (n, 2) float64
+        x and y, in data units.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not what is listed above.
+    CrazingError
+        If `loc` or `scale` is so large that points overflow.
+    MemoryError
+        If the points do not fit.
+
+    Source
+    ------
+    Thesis, section 8.3. Wichura: Algorithm AS 241 (Applied Statistics 37, 1988).
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> cz.sample.normal(2, loc=(100, 0), rng=7).round(3)
+    array([[ 99.999,   1.472],
+           [102.497,  -0.17 ]])
+    """
+    number, middle, spread = arguments.count(n, "n"), _pair(loc, "loc"), _scale(scale)
+    return _core.sample_normal(number, middle, spread, key(rng))
+
+
+def laplace(n: int, *, loc: ArrayLike = 0.0, scale: ArrayLike = 1.0, rng: RNG = None) -> Points:
+    """Points whose coordinates are Laplace, each independently of the other: denser in the middle than `normal`
+    and with more points far out.
+
+    Point i depends on `rng` and i alone.
+
+    Parameters
+    ----------
+    n : int
+        Number of points, 0 or more.
+    loc : float or (x, y)
+        Median, in data units.
+    scale : float or (x, y)
+        Mean distance from the median along each axis, 0 or more, in data units.
+    rng : int, numpy.random.Generator or None
+        The seed; the same on every platform and with any number of threads.
+
+    Returns
+    -------
+    (n, 2) float64
+        x and y, in data units.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not what is listed above.
+    CrazingError
+        If `loc` or `scale` is so large that points overflow.
+    MemoryError
+        If the points do not fit.
+
+    Source
+    ------
+    Thesis, section 8.3.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> cz.sample.laplace(2, scale=2, rng=1).round(3)
+    array([[ 0.787,  2.407],
+           [-1.265,  3.728]])
+    """
+    number, middle, spread = arguments.count(n, "n"), _pair(loc, "loc"), _scale(scale)
+    return _core.sample_laplace(number, middle, spread, key(rng))
+
+
+def from_image(
+    image: ArrayLike,
+    *,
+    level: float | Sequence[float] = 0.5,
+    n: int | None = None,
+    spacing: float | None = None,
+) -> Points:
+    """Points on the contours of an image, found between its pixels.
+
+    Needs contourpy, the extra `image`.
+
+    Parameters
+    ----------
+    image : array_like
+        (H, W) grey, (H, W, 3) colour or (H, W, 4) colour with alpha, row 0 at the top. Integers are divided by the
+        largest number of their dtype, bools are 0 and 1, floats are used as they are; colour becomes its luminance
+        (Rec. 709), over white where it is transparent. Label k of an 8-bit label image is the value k / 255.
+    level : float or sequence of float
+        The brightness whose contour is wanted, or several.
+    n : int, optional
+        Number of points in all, 3 or more, shared among the contours in proportion to length and evenly spaced on
+        each. Contours too short for 3 of the n points are left out, the shortest first.
+    spacing : float, optional
+        Pixels between neighbours instead, rounded so that steps are even; contours too short for 3 points are left
+        out. Without `n` and `spacing`: the contour's own vertices, where it crosses the lines between pixel centres.
+
+    Returns
+    -------
+    (n, 2) float64
+        Contour after contour, each in order along it, closed ones without their first point again. In pixels, x
+        right and y up: the centre of pixel (row, col) is (col + 0.5, H - row - 0.5). A contour that leaves the image
+        is open: pad the image to close it.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not what is listed above, or both `n` and `spacing` are given.
+    CrazingError
+        If a pixel is NaN or infinite, if there is no contour at any level (the message tells the range of values),
+        or if every contour is too short for `spacing`.
+    ImportError
+        If contourpy is not installed.
+
+    Source
+    ------
+    Thesis, section 6.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import crazing as cz
+    >>> y, x = np.mgrid[-10:11, -10:11]
+    >>> disc = 7.5 - np.sqrt(x**2 + y**2)
+    >>> points = cz.sample.from_image(disc, level=0.0, n=50)
+    >>> points.shape
+    (50, 2)
+    >>> radius = np.linalg.norm(points - (10.5, 10.5), axis=1)
+    >>> bool(abs(radius - 7.5).max() < 0.05)
+    True
+    """
+    if n is not None and spacing is not None:
+        raise ValueError(f"n is {n!r} and spacing is {spacing!r}; only one of them is wanted")
+    found = contours(image, level)
+    return found.coords.copy() if n is None and spacing is None else found.evenly(n, spacing=spacing)
+
+
+def _pair(value: Any, name: str) -> tuple[float, float]:
+    """A number, for both axes, or two numbers, as (x, y)."""
+    if np.ndim(value) == 0:
+        value = (value, value)
+    if np.shape(value) != (2,):
+        raise ValueError(f"{name} has shape {np.shape(value)}; a number or (x, y) is wanted")
+    x, y = (arguments.number(part, f"{name}[{i}]") for i, part in enumerate(value))
+    return x, y
+
+
+def _scale(value: Any) -> tuple[float, float]:
+    x, y = _pair(value, "scale")
+    return arguments.number(x, "scale", low=0.0), arguments.number(y, "scale", low=0.0)

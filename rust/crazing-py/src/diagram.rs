@@ -1,0 +1,80 @@
+//! Diagrams: the arrays of one from points, and a view of one from its arrays.
+
+use crazing::{DiagramView, quad_edge};
+use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
+use pyo3::prelude::*;
+
+use crate::arrays::{rows, table};
+use crate::guard::{checked, detached};
+
+/// The arrays of a `Diagram` as its face passes them: sites, triangles, vertices, edges, dual_edges.
+#[derive(FromPyObject)]
+pub(crate) struct Arrays<'py>(
+    PyReadonlyArray2<'py, f64>,
+    PyReadonlyArray2<'py, i32>,
+    PyReadonlyArray2<'py, f64>,
+    PyReadonlyArray2<'py, i32>,
+    PyReadonlyArray2<'py, i32>,
+);
+
+impl Arrays<'_> {
+    /// A view whose indices all point somewhere, whoever made the arrays.
+    pub(crate) fn view(&self) -> PyResult<DiagramView<'_>> {
+        let view = DiagramView {
+            sites: rows(&self.0)?,
+            triangles: rows(&self.1)?,
+            vertices: rows(&self.2)?,
+            edges: rows(&self.3)?,
+            dual_edges: rows(&self.4)?,
+        };
+        checked(view.check())?;
+        Ok(view)
+    }
+}
+
+type DiagramArrays<'py> = (
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyArray1<i32>>,
+    Bound<'py, PyArray2<i32>>,
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyArray2<i32>>,
+    Bound<'py, PyArray2<i32>>,
+);
+
+/// Sites, site_of, triangles, vertices, edges and dual edges of the diagram of points.
+#[pyfunction]
+pub(crate) fn diagram<'py>(py: Python<'py>, points: PyReadonlyArray2<'py, f64>) -> PyResult<DiagramArrays<'py>> {
+    let points = rows(&points)?;
+    let found = detached(py, |watch| crazing::diagram::diagram(points, watch))?;
+    Ok((
+        table(py, found.sites)?,
+        PyArray1::from_vec(py, found.site_of),
+        table(py, found.triangles)?,
+        table(py, found.vertices)?,
+        table(py, found.edges)?,
+        table(py, found.dual_edges)?,
+    ))
+}
+
+/// The next quarter-edge about the same origin, for every quarter-edge.
+#[pyfunction]
+pub(crate) fn onext<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+    let view = arrays.view()?;
+    Ok(PyArray1::from_vec(py, detached(py, |_| quad_edge::onext(view))?))
+}
+
+type Clipped<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<i32>>);
+
+/// Vertices, edges and rows of the dual edges of the wanted rows, clipped to the bounds.
+#[pyfunction]
+pub(crate) fn dual_edges<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    bounds: [f64; 4],
+    wanted: numpy::PyReadonlyArray1<'py, bool>,
+) -> PyResult<Clipped<'py>> {
+    let view = arrays.view()?;
+    let wanted = crate::arrays::column(&wanted, "wanted", view.edges.len())?;
+    let found = detached(py, |_| crazing::clip::dual_edges(view, bounds, |k| wanted[k]))?;
+    Ok((table(py, found.graph.vertices)?, table(py, found.graph.edges)?, PyArray1::from_vec(py, found.rows)))
+}

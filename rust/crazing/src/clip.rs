@@ -1,0 +1,114 @@
+//! Voronoi edges as segments: rays and lines are cut at the bounds.
+
+use crate::diagram::scale::{Scale, largest};
+use crate::diagram::{DiagramView, representatives};
+use crate::error::{Error, Result};
+use crate::graph::{PlanarGraph, Point};
+
+/// xmin, ymin, xmax, ymax.
+pub type Bounds = [f64; 4];
+
+/// Dual edges within the bounds.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Clipped {
+    /// Vertices of the diagram (coincident ones represented by the lowest triangle), then the points on the bounds
+    /// where an edge was cut.
+    pub graph: PlanarGraph,
+    /// The row of the diagram each edge comes from.
+    pub rows: Vec<i32>,
+}
+
+/// Checks that bounds are finite and have an area.
+///
+/// # Errors
+/// [`Error::BadValue`].
+pub fn check_bounds(bounds: Bounds) -> Result<()> {
+    let [xmin, ymin, xmax, ymax] = bounds;
+    let sides = [("the width of bounds", xmax - xmin), ("the height of bounds", ymax - ymin)];
+    match sides.into_iter().find(|(_, side)| !(side.is_finite() && *side > 0.0)) {
+        Some((name, value)) => Err(Error::BadValue { name, value, wanted: "a positive, finite number is wanted" }),
+        None => Ok(()),
+    }
+}
+
+/// The dual edges of the rows that `wanted` names, clipped to `bounds`. Edges without length are left out.
+///
+/// Every dual edge is an interval of the bisector of its two sites; it is cut there, so far ends cost no precision.
+///
+/// # Errors
+/// [`Error::BadValue`] for bounds without an area.
+pub fn dual_edges(view: DiagramView<'_>, bounds: Bounds, wanted: impl Fn(usize) -> bool) -> Result<Clipped> {
+    check_bounds(bounds)?;
+    let scale = Scale::of(largest(view.sites).max(bounds.iter().fold(0.0, |m, x| x.abs().max(m))));
+    let (low, high) = (scale.down([bounds[0], bounds[1]]), scale.down([bounds[2], bounds[3]]));
+    let representative = representatives(view);
+    let mut clipped =
+        Clipped { graph: PlanarGraph { vertices: view.vertices.to_vec(), edges: Vec::new() }, rows: Vec::new() };
+    for k in (0..view.edges.len()).filter(|&k| wanted(k)) {
+        let line = Bisector::of(view, k, scale);
+        let Some(inside) = line.within(low, high) else { continue };
+        let mut cut = |t: f64| {
+            let on_bounds = |x: f64, axis: usize| x.clamp(bounds[axis], bounds[axis + 2]);
+            let [x, y] = scale.up(line.at(t));
+            clipped.graph.vertices.push([on_bounds(x, 0), on_bounds(y, 1)]);
+            clipped.graph.vertices.len() as i32 - 1
+        };
+        let [right, left] = view.dual_edges[k];
+        let from = if inside[0] > line.ends[0] { cut(inside[0]) } else { representative[right as usize] };
+        let to = if inside[1] < line.ends[1] { cut(inside[1]) } else { representative[left as usize] };
+        clipped.graph.edges.push([from, to]);
+        clipped.rows.push(k as i32);
+    }
+    Ok(clipped)
+}
+
+/// The line of points as far from one site as from the other: `middle + t * normal`.
+struct Bisector {
+    middle: Point,
+    normal: Point,
+    /// Where the dual edge starts and ends, right to left; infinite on the outside. Equal when it has no length.
+    ends: [f64; 2],
+}
+
+impl Bisector {
+    fn of(view: DiagramView<'_>, k: usize, scale: Scale) -> Self {
+        let [p, q] = view.edges[k].map(|site| scale.down(view.sites[site as usize]));
+        let normal = [p[1] - q[1], q[0] - p[0]];
+        let middle = [p[0] + 0.5 * (q[0] - p[0]), p[1] + 0.5 * (q[1] - p[1])];
+        let square = normal[0] * normal[0] + normal[1] * normal[1];
+        let [right, left] = view.dual_edges[k];
+        let along = |triangle: i32, outside: f64| {
+            if triangle == -1 {
+                return outside;
+            }
+            let v = scale.down(view.vertices[triangle as usize]);
+            ((v[0] - middle[0]) * normal[0] + (v[1] - middle[1]) * normal[1]) / square
+        };
+        Self { middle, normal, ends: [along(right, f64::NEG_INFINITY), along(left, f64::INFINITY)] }
+    }
+
+    fn at(&self, t: f64) -> Point {
+        [self.middle[0] + t * self.normal[0], self.middle[1] + t * self.normal[1]]
+    }
+
+    /// The part of the dual edge between two corners; None when that has no length.
+    fn within(&self, low: Point, high: Point) -> Option<[f64; 2]> {
+        let [mut start, mut end] = self.ends;
+        if self.normal == [0.0; 2] {
+            return None;
+        }
+        for axis in 0..2 {
+            let (origin, step) = (self.middle[axis], self.normal[axis]);
+            if step == 0.0 {
+                if origin < low[axis] || origin > high[axis] {
+                    return None;
+                }
+                continue;
+            }
+            let (a, b) = ((low[axis] - origin) / step, (high[axis] - origin) / step);
+            start = start.max(a.min(b));
+            end = end.min(a.max(b));
+        }
+        (start < end).then_some([start, end])
+    }
+}

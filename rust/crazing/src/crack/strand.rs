@@ -1,0 +1,173 @@
+//! Strands: at every vertex the edges that continue each other best are one crack.
+
+use crate::graph::{PlanarGraph, Point};
+
+/// Beyond the first pair of a vertex, edges are joined only while the cosine between them is below this.
+const STRAIGHT: f64 = -0.2;
+/// Vertices with more edges than this are stars: only edges half a turn apart in their order are compared, since all
+/// pairs would be quadratic (the centre of a regular polygon is a vertex of every cell).
+const STAR: usize = 8;
+
+/// The strands of a graph. Ends are numbered 2 edge + side.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Strands {
+    /// The strand of each edge; strand 0 is the longest.
+    pub of_edge: Vec<i32>,
+    /// The generation of each edge's strand: 0 abuts no longer strand, others are one more than the youngest longer
+    /// strand they abut.
+    pub generation: Vec<i32>,
+    /// The ends of the edges along each strand in turn: an end to enter an edge by.
+    pub entries: Vec<u32>,
+    /// Where each strand starts in `entries`, and the end.
+    pub starts: Vec<usize>,
+    /// Length of each strand.
+    pub length: Vec<f64>,
+}
+
+/// No edge goes on.
+const NONE: u32 = u32::MAX;
+
+/// Follows the best-aligned pairs of edges through a graph.
+///
+/// Two edges at a vertex of degree 2 always pair, at degree 3 the two that are best aligned; above, further pairs
+/// join while they are fairly straight.
+pub fn strands(graph: &PlanarGraph) -> Strands {
+    let ends = Ends::of(graph);
+    let partner = pair(graph, &ends);
+    let mut runs = follow(graph, &partner);
+    // Longest first; equal lengths by their first edge.
+    runs.sort_by(|a, b| b.length.total_cmp(&a.length).then(a.lowest.cmp(&b.lowest)));
+    number(graph, &ends, &runs)
+}
+
+/// The ends of edges at each vertex, in one row.
+struct Ends {
+    starts: Vec<usize>,
+    row: Vec<u32>,
+}
+
+impl Ends {
+    fn of(graph: &PlanarGraph) -> Self {
+        let mut starts = vec![0; graph.vertices.len() + 2];
+        for &vertex in graph.edges.iter().flatten() {
+            starts[vertex as usize + 2] += 1;
+        }
+        for i in 2..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut row = vec![0; 2 * graph.edges.len()];
+        for (end, &vertex) in graph.edges.iter().flatten().enumerate() {
+            let place = &mut starts[vertex as usize + 1];
+            row[*place] = end as u32;
+            *place += 1;
+        }
+        Self { starts, row }
+    }
+
+    fn at(&self, vertex: usize) -> &[u32] {
+        &self.row[self.starts[vertex]..self.starts[vertex + 1]]
+    }
+}
+
+/// Position of the vertex at an end.
+fn vertex(graph: &PlanarGraph, end: u32) -> i32 {
+    graph.edges[end as usize / 2][end as usize % 2]
+}
+
+/// Unit vector from an end along its edge.
+fn direction(graph: &PlanarGraph, end: u32) -> Point {
+    let [a, b] = [end, end ^ 1].map(|end| graph.vertices[vertex(graph, end) as usize]);
+    let (x, y) = (b[0] - a[0], b[1] - a[1]);
+    let length = libm::hypot(x, y);
+    if length > 0.0 { [x / length, y / length] } else { [0.0; 2] }
+}
+
+/// The end that each end continues into.
+fn pair(graph: &PlanarGraph, ends: &Ends) -> Vec<u32> {
+    let mut partner = vec![NONE; 2 * graph.edges.len()];
+    for vertex in 0..graph.vertices.len() {
+        let here = ends.at(vertex);
+        let mut pairs = candidates(here.iter().map(|&end| (direction(graph, end), end)).collect());
+        pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (rank, &(cosine, a, b)) in pairs.iter().enumerate() {
+            let alone = partner[a as usize] == NONE && partner[b as usize] == NONE;
+            if alone && (rank == 0 || cosine < STRAIGHT) {
+                partner[a as usize] = b;
+                partner[b as usize] = a;
+            }
+        }
+    }
+    partner
+}
+
+/// Pairs of ends at one vertex that may continue each other, with the cosine between them.
+fn candidates(mut spokes: Vec<(Point, u32)>) -> Vec<(f64, u32, u32)> {
+    let pair = |&(a, i): &(Point, u32), &(b, j): &(Point, u32)| (a[0] * b[0] + a[1] * b[1], i, j);
+    if spokes.len() > STAR {
+        spokes.sort_by(|(a, _), (b, _)| libm::atan2(a[1], a[0]).total_cmp(&libm::atan2(b[1], b[0])));
+        let (near, far) = spokes.split_at(spokes.len() / 2);
+        return near.iter().zip(far).map(|(a, b)| pair(a, b)).collect();
+    }
+    let later = |i: usize| spokes[i + 1..].iter();
+    spokes.iter().enumerate().flat_map(|(i, a)| later(i).map(move |b| pair(a, b))).collect()
+}
+
+/// The edges of one strand in turn.
+struct Run {
+    entries: Vec<u32>,
+    length: f64,
+    lowest: u32,
+}
+
+fn follow(graph: &PlanarGraph, partner: &[u32]) -> Vec<Run> {
+    let mut seen = vec![false; graph.edges.len()];
+    let ends = 0..2 * graph.edges.len() as u32;
+    // Open strands from their ends, then rings from their lowest edge.
+    let tips = ends.clone().filter(|&end| partner[end as usize] == NONE);
+    let mut runs = Vec::new();
+    for tip in tips.chain(ends) {
+        if !seen[tip as usize / 2] {
+            runs.push(run(graph, partner, tip, &mut seen));
+        }
+    }
+    runs
+}
+
+fn run(graph: &PlanarGraph, partner: &[u32], tip: u32, seen: &mut [bool]) -> Run {
+    let mut run = Run { entries: Vec::new(), length: 0.0, lowest: tip / 2 };
+    let mut entry = tip;
+    while entry != NONE && !std::mem::replace(&mut seen[entry as usize / 2], true) {
+        run.entries.push(entry);
+        run.lowest = run.lowest.min(entry / 2);
+        run.length += edge_length(graph, entry as usize / 2);
+        entry = partner[(entry ^ 1) as usize];
+    }
+    run
+}
+
+pub(super) fn edge_length(graph: &PlanarGraph, edge: usize) -> f64 {
+    let [a, b] = graph.edges[edge].map(|vertex| graph.vertices[vertex as usize]);
+    libm::hypot(b[0] - a[0], b[1] - a[1])
+}
+
+fn number(graph: &PlanarGraph, ends: &Ends, runs: &[Run]) -> Strands {
+    let mut strands = Strands { of_edge: vec![-1; graph.edges.len()], starts: vec![0], ..Strands::default() };
+    for (strand, run) in runs.iter().enumerate() {
+        for &entry in &run.entries {
+            strands.of_edge[entry as usize / 2] = strand as i32;
+        }
+        strands.entries.extend(&run.entries);
+        strands.starts.push(strands.entries.len());
+        strands.length.push(run.length);
+    }
+    let mut generation: Vec<i32> = Vec::with_capacity(runs.len());
+    for (strand, run) in runs.iter().enumerate() {
+        // Both outer ends of the strand; longer strands have their generation already.
+        let tips = [run.entries.first().copied(), run.entries.last().map(|entry| entry ^ 1)];
+        let met = tips.into_iter().flatten().flat_map(|tip| ends.at(vertex(graph, tip) as usize));
+        let older = met.map(|&end| strands.of_edge[end as usize / 2] as usize).filter(|&other| other < strand);
+        generation.push(older.map(|other| generation[other] + 1).max().unwrap_or(0));
+    }
+    strands.generation = strands.of_edge.iter().map(|&strand| generation[strand as usize]).collect();
+    strands
+}

@@ -1,0 +1,131 @@
+//! From rows of points to a [`Diagram`]: check, scale, merge duplicates, triangulate, dualise.
+
+use super::scale::{Scale, cleared, largest};
+use super::{Diagram, delaunay, order, vertices};
+use crate::error::{Error, Result};
+use crate::graph::Point;
+use crate::watch::Watch;
+
+/// Edges are numbered with 32 bits, and there are up to three a point.
+const MOST_POINTS: usize = i32::MAX as usize / 3;
+
+/// The Delaunay triangulation and Voronoi diagram of `points`.
+///
+/// Duplicates are merged. A coordinate smaller than 2^-126 of the largest one counts as zero. Fewer than three
+/// distinct points, or points all on one line, have edges between neighbours and no triangles. Combinatorics are
+/// exact for the points as given; vertices are rounded.
+///
+/// # Errors
+/// [`Error::NotFinite`], [`Error::TooMany`], [`Error::Interrupted`].
+///
+/// # Source
+/// Thesis, sections 3.1 and 3.2.
+pub fn diagram(points: &[Point], watch: Watch<'_>) -> Result<Diagram> {
+    check_points(points)?;
+    let largest = largest(points);
+    let scale = Scale::of(largest);
+    let scaled = points.iter().map(|&p| scale.down(cleared(p, largest))).collect();
+    let merged = merge(scaled);
+    let (mut sites, along) = (merged.sites, merged.along);
+    let mut topology = delaunay::triangulate(&along, watch)?;
+    let mut vertices = vertices::vertices(&along, &topology);
+    renumber(&mut topology, &merged.curve);
+    if !scale.is_one() {
+        for p in sites.iter_mut().chain(&mut vertices) {
+            *p = scale.up(*p);
+        }
+    }
+    let delaunay::Topology { triangles, edges, dual_edges } = topology;
+    Ok(Diagram { sites, site_of: merged.site_of, triangles, vertices, edges, dual_edges })
+}
+
+/// The edges alone of a Delaunay triangulation of points near 1, and the first row of every point they join.
+///
+/// # Errors
+/// [`Error::TooMany`], [`Error::Interrupted`].
+pub(crate) fn triangulate_near_one(points: Vec<Point>, watch: Watch<'_>) -> Result<(Vec<u32>, Vec<[i32; 2]>)> {
+    check_points(&points)?;
+    let rows = points.len();
+    let merged = merge(points);
+    let mut first_row = vec![0; merged.sites.len()];
+    for row in (0..rows).rev() {
+        first_row[merged.site_of[row] as usize] = row as u32;
+    }
+    let mut topology = delaunay::triangulate(&merged.along, watch)?;
+    renumber(&mut topology, &merged.curve);
+    Ok((first_row, topology.edges))
+}
+
+/// From numbers along the curve to sites; the outside comes to lie on the left, other edges run upward.
+fn renumber(topology: &mut delaunay::Topology, curve: &[u32]) {
+    let site = |along: i32| curve[along as usize] as i32;
+    for corners in &mut topology.triangles {
+        *corners = corners.map(site);
+    }
+    for (ends, sides) in topology.edges.iter_mut().zip(&mut topology.dual_edges) {
+        *ends = ends.map(site);
+        if sides[0] == -1 || (sides[1] != -1 && ends[0] > ends[1]) {
+            ends.reverse();
+            sides.reverse();
+        }
+    }
+}
+
+fn check_points(points: &[Point]) -> Result<()> {
+    if points.len() > MOST_POINTS {
+        return Err(Error::TooMany { what: "points", found: points.len(), limit: MOST_POINTS });
+    }
+    match points.iter().position(|p| !(p[0].is_finite() && p[1].is_finite())) {
+        Some(row) => Err(Error::NotFinite { row, x: points[row][0], y: points[row][1] }),
+        None => Ok(()),
+    }
+}
+
+/// Rows without their duplicates.
+struct Merged {
+    /// Distinct points in the order of first appearance.
+    sites: Vec<Point>,
+    /// The one of every row.
+    site_of: Vec<i32>,
+    /// Sites along a Hilbert curve.
+    curve: Vec<u32>,
+    /// Their positions: everything is computed in the numbering of the curve, where neighbours are close in memory.
+    along: Vec<Point>,
+}
+
+fn merge(points: Vec<Point>) -> Merged {
+    let mut curve = order::hilbert(&points);
+    // Equal rows stand together on the curve, the first of them first.
+    let mut first_row: Vec<i32> = (0..points.len() as i32).collect();
+    curve.dedup_by(|row, kept| {
+        let same = points[*row as usize] == points[*kept as usize];
+        if same {
+            first_row[*row as usize] = *kept as i32;
+        }
+        same
+    });
+    let along = curve.iter().map(|&row| points[row as usize]).collect();
+    if curve.len() == points.len() {
+        return Merged { sites: points, site_of: first_row, curve, along };
+    }
+    let (sites, site_of) = number_first_rows(&points, first_row);
+    for row in &mut curve {
+        *row = site_of[*row as usize] as u32;
+    }
+    Merged { sites, site_of, curve, along }
+}
+
+/// Numbers the rows that are the first of their kind, and points every row at the number of its kind.
+fn number_first_rows(points: &[Point], mut first_row: Vec<i32>) -> (Vec<Point>, Vec<i32>) {
+    let mut sites = Vec::new();
+    for row in 0..points.len() {
+        let first = first_row[row] as usize;
+        if first == row {
+            first_row[row] = sites.len() as i32;
+            sites.push(points[row]);
+        } else {
+            first_row[row] = first_row[first];
+        }
+    }
+    (sites, first_row)
+}

@@ -1,0 +1,54 @@
+//! Voronoi vertices: circumcentres, with coincident neighbours made equal.
+
+use super::DiagramView;
+use super::delaunay::Topology;
+use crate::graph::Point;
+use crate::parallel;
+use crate::predicates::circumcentre;
+use crate::sets::DisjointSets;
+
+/// Neighbouring circumcentres no farther apart than this part of the circumradius are one Voronoi vertex.
+const COINCIDENT: f64 = 1e-9;
+
+/// One vertex a triangle. Coincident neighbours all get the position of the lowest triangle among them, so that a
+/// dual edge has no length exactly when its two ends are equal.
+pub(super) fn vertices(sites: &[Point], topology: &Topology) -> Vec<Point> {
+    let corner = |site: i32| sites[site as usize];
+    let mut vertices = parallel::map(topology.triangles.len(), |t| {
+        let [a, b, c] = topology.triangles[t];
+        circumcentre(corner(a), corner(b), corner(c))
+    });
+    let mut coincident = topology.edges.iter().zip(&topology.dual_edges).filter(|(edge, dual)| {
+        !dual.contains(&-1) && coincide(vertices[dual[0] as usize], vertices[dual[1] as usize], corner(edge[0]))
+    });
+    if let Some(first) = coincident.next() {
+        let mut sets = DisjointSets::new(vertices.len());
+        for (_, dual) in std::iter::once(first).chain(coincident) {
+            sets.unite(dual[0] as usize, dual[1] as usize);
+        }
+        for triangle in 0..vertices.len() {
+            vertices[triangle] = vertices[sets.lowest(triangle)];
+        }
+    }
+    vertices
+}
+
+fn coincide(a: Point, b: Point, site: Point) -> bool {
+    let apart = [a[0] - b[0], a[1] - b[1]];
+    let radius = [a[0] - site[0], a[1] - site[1]];
+    // Nearly all pairs are told apart without a root; sizes, not squares, since far vertices would overflow.
+    let size = |v: Point| v[0].abs().max(v[1].abs());
+    size(apart) <= 2.0 * COINCIDENT * size(radius)
+        && libm::hypot(apart[0], apart[1]) <= COINCIDENT * libm::hypot(radius[0], radius[1])
+}
+
+/// For every triangle the lowest one that shares its Voronoi vertex.
+pub fn representatives(view: DiagramView<'_>) -> Vec<i32> {
+    let mut sets = DisjointSets::new(view.triangles.len());
+    for &[right, left] in view.dual_edges {
+        if right != -1 && left != -1 && view.vertices[right as usize] == view.vertices[left as usize] {
+            sets.unite(right as usize, left as usize);
+        }
+    }
+    (0..view.triangles.len()).map(|triangle| sets.lowest(triangle) as i32).collect()
+}

@@ -1,0 +1,33 @@
+//! Work on all cores, in a pool that lives as long as the call: a global pool would not survive a fork.
+
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
+
+/// Fewer items than this are not worth waking threads for.
+const WORTHWHILE: usize = 1 << 15;
+
+/// Runs `many` in a pool of all cores, or `one` when there is little to do or no pool can be had.
+fn choose<T: Send, A: Send>(len: usize, arg: A, one: impl FnOnce(A) -> T, many: impl FnOnce(A) -> T + Send) -> T {
+    if len < WORTHWHILE {
+        return one(arg);
+    }
+    match rayon::ThreadPoolBuilder::new().build() {
+        Ok(pool) if pool.current_num_threads() > 1 => pool.install(|| many(arg)),
+        _ => one(arg),
+    }
+}
+
+/// `f` of `0..len`, in order.
+pub(crate) fn map<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    choose(
+        len,
+        &f,
+        |f| (0..len).map(f).collect(),
+        |f| (0..len).into_par_iter().with_min_len(WORTHWHILE / 8).map(f).collect(),
+    )
+}
+
+/// Sorts; equal keys cannot be told apart, so the result does not depend on the number of threads.
+pub(crate) fn sort(keys: &mut [u64]) {
+    choose(keys.len(), keys, |keys| keys.sort_unstable(), |keys| keys.par_sort_unstable());
+}

@@ -1,0 +1,17 @@
+//! Curves and skeletons of point samples, one method a file.
+
+mod one_step;
+mod second;
+
+pub use one_step::one_step;
+pub use second::{Second, second};
+
+use crate::diagram::{DiagramView, representatives};
+
+/// Dual edges of the rows in `mask` that join two different finite vertices, coincident vertices represented by the
+/// lowest triangle.
+pub fn axis_edges(view: DiagramView<'_>, mask: &[bool]) -> Vec<[i32; 2]> {
+    let representative = representatives(view);
+    let kept = view.dual_edges.iter().zip(mask).filter(|(dual, kept)| **kept && !dual.contains(&-1));
+    kept.map(|(dual, _)| dual.map(|t| representative[t as usize])).filter(|[a, b]| a != b).collect()
+}

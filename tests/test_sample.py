@@ -1,0 +1,138 @@
+"""Points of a distribution: the right law, the same points for a seed everywhere, clear refusals."""
+
+from __future__ import annotations
+
+import inspect
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import special, stats
+
+import crazing as cz
+from crazing.errors import CrazingError
+
+SAMPLERS = [cz.sample.uniform, cz.sample.normal, cz.sample.laplace]
+LAWS = [
+    (cz.sample.uniform, stats.uniform(), 1 / 2, 1 / 12),
+    (cz.sample.normal, stats.norm(), 0.0, 1.0),
+    (cz.sample.laplace, stats.laplace(), 0.0, 2.0),
+]
+
+
+def philox_words(key: tuple[int, int], index: int, stream: int) -> list[int]:
+    """Words 0 and 1 of a block, by NumPy, which counts up once before its first block."""
+    before = index + (stream << 128) - 1
+    counter = np.array([(before >> (64 * i)) & (2**64 - 1) for i in range(4)], dtype=np.uint64)
+    return [
+        int(word) for word in np.random.Philox(counter=counter, key=np.array(key, np.uint64)).random_raw(2)
+    ]
+
+
+def test_uniform_is_numpy_philox_block_by_block() -> None:
+    low, high = (int(word) for word in np.random.default_rng(5).bit_generator.random_raw(2))
+    words = np.array([philox_words((low, high), i, 1) for i in range(20)], dtype=np.uint64)
+    expected = ((words >> np.uint64(12)).astype(float) + 0.5) / 2**52
+    np.testing.assert_array_equal(cz.sample.uniform(20, rng=5), expected)
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(("sampler", "law", "mean", "variance"), LAWS)
+def test_law(sampler, law, mean, variance, seed) -> None:
+    n = 20_000
+    points = sampler(n, rng=seed)
+    for axis in points.T:
+        assert stats.kstest(axis, law.cdf).pvalue > 1e-3
+    np.testing.assert_allclose(points.mean(axis=0), mean, atol=5 * np.sqrt(variance / n))
+    np.testing.assert_allclose(points.var(axis=0), variance, rtol=0.08)
+    assert abs(stats.spearmanr(*points.T).statistic) < 4 / np.sqrt(n)
+
+
+def test_quantiles_against_scipy() -> None:
+    p = cz.sample.uniform(100_000, rng=3)
+    np.testing.assert_allclose(cz.sample.normal(100_000, rng=3), special.ndtri(p), rtol=4e-15, atol=1e-16)
+    np.testing.assert_allclose(
+        cz.sample.laplace(100_000, rng=3), stats.laplace.ppf(p), rtol=4e-15, atol=1e-15
+    )
+
+
+FROZEN = {
+    "uniform": [[0.07092255516581691, 0.5424170986567362], [0.43134170750412715, 0.8637079386365499]],
+    "normal": [[-1.4689545754643505, 0.10652502324005261], [-0.1729593054588174, 1.0971310178671179]],
+    "laplace": [[-1.9530195890183817, 0.08865002500039261], [-0.14770749760247515, 1.2998080052644392]],
+}
+
+
+@pytest.mark.parametrize("sampler", SAMPLERS)
+def test_frozen(sampler) -> None:
+    """A change here changes what a seed gives, on every user's disk."""
+    assert sampler(2, rng=2026).tolist() == FROZEN[sampler.__name__]
+
+
+@pytest.mark.parametrize("sampler", SAMPLERS)
+@given(n=st.integers(0, 200), more=st.integers(0, 200), seed=st.integers(0, 2**70))
+@settings(max_examples=30, deadline=None)
+def test_fewer_points_are_the_first_of_the_more(sampler, n, more, seed) -> None:
+    points = sampler(n, rng=seed)
+    assert points.shape == (n, 2) and points.dtype == np.float64 and points.flags.c_contiguous
+    np.testing.assert_array_equal(points, sampler(n + more, rng=seed)[:n])
+
+
+@pytest.mark.parametrize("sampler", SAMPLERS)
+def test_generator_moves_on_and_none_differs(sampler) -> None:
+    generator = np.random.default_rng(1)
+    first, second = sampler(5, rng=generator), sampler(5, rng=generator)
+    assert not np.array_equal(first, second)
+    assert not np.array_equal(sampler(5), sampler(5))
+    np.testing.assert_array_equal(first, sampler(5, rng=1))
+
+
+@pytest.mark.parametrize("sampler", [cz.sample.normal, cz.sample.laplace])
+def test_loc_and_scale(sampler) -> None:
+    plain = sampler(50, rng=9)
+    np.testing.assert_array_equal(sampler(50, loc=(8, -8), scale=(2, 4), rng=9), (8, -8) + plain * (2, 4))
+    np.testing.assert_array_equal(sampler(50, loc=np.float32(3), scale=0.5, rng=9), 3 + plain * 0.5)
+    np.testing.assert_array_equal(sampler(2, loc=(1, 2), scale=0, rng=9), [[1, 2], [1, 2]])
+
+
+def test_bounds() -> None:
+    points = cz.sample.uniform(1000, bounds=(-2, 10, -1, 30), rng=0)
+    assert (points.min(axis=0) >= (-2, 10)).all() and (points.max(axis=0) <= (-1, 30)).all()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "words"),
+    [
+        ({"n": -1}, ValueError, "n is -1"),
+        ({"n": 1.5}, TypeError, "n is 1.5"),
+        ({"n": True}, TypeError, "n is True"),
+        ({"n": 2**31}, ValueError, "n is 2147483648"),
+        ({"n": 1, "scale": -1}, ValueError, "scale is -1"),
+        ({"n": 1, "scale": np.nan}, ValueError, "nan"),
+        ({"n": 1, "loc": (1, 2, 3)}, ValueError, r"loc has shape \(3,\)"),
+        ({"n": 1, "loc": "here"}, TypeError, "here"),
+        ({"n": 1, "loc": (0, np.inf)}, ValueError, r"loc\[1\] is inf"),
+        ({"n": 1, "scale": 1e307}, CrazingError, "overflow"),
+        ({"n": 1, "rng": -1}, ValueError, "rng is -1"),
+        ({"n": 1, "rng": "seed"}, TypeError, "rng is 'seed'"),
+    ],
+)
+def test_refusals(arguments, error, words) -> None:
+    for sampler in (cz.sample.normal, cz.sample.laplace):
+        with pytest.raises(error, match=words):
+            sampler(**arguments)
+
+
+@pytest.mark.parametrize(
+    "bounds", [(0, 0, 0, 1), (0, 0, 1), (0, 0, 1, np.inf), (-1e308, 0, 1e308, 1), 5, "abcd"]
+)
+def test_bad_bounds(bounds) -> None:
+    with pytest.raises((TypeError, ValueError), match="bounds"):
+        cz.sample.uniform(1, bounds=bounds)
+
+
+@pytest.mark.parametrize("sampler", SAMPLERS)
+def test_everything_after_n_is_keyword_only(sampler) -> None:
+    kinds = [parameter.kind for parameter in inspect.signature(sampler).parameters.values()]
+    assert kinds[1:] == [inspect.Parameter.KEYWORD_ONLY] * (len(kinds) - 1)
