@@ -4,10 +4,11 @@ from crazing import sample
 from crazing._core import __version__
 from crazing.compare import Comparison, compare
 from crazing.crack import Crack, crack
-from crazing.diagram import Diagram, diagram
-from crazing.errors import CrazingError, DegenerateInputError
+from crazing.diagram import Diagram, QuadEdge, diagram
+from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.graph import PlanarGraph
-from crazing.skeleton import Skeleton, medial_axis
+from crazing.maze import Maze, maze
+from crazing.skeleton import Skeleton, crust, medial_axis
 from crazing.versions import algorithm_version, show_versions
 
 __all__ = [
@@ -16,13 +17,18 @@ __all__ = [
     "CrazingError",
     "DegenerateInputError",
     "Diagram",
+    "InternalError",
+    "Maze",
     "PlanarGraph",
+    "QuadEdge",
     "Skeleton",
     "__version__",
     "algorithm_version",
     "compare",
     "crack",
+    "crust",
     "diagram",
+    "maze",
     "medial_axis",
     "sample",
     "show_versions",

@@ -49,6 +49,14 @@ class Diagram(Record):
     edges: NDArray[np.int32]
     dual_edges: NDArray[np.int32]
 
+    def __post_init__(self) -> None:
+        # The core takes C-contiguous arrays of these types, whoever made them.
+        for name in ("sites", "vertices"):
+            object.__setattr__(self, name, np.ascontiguousarray(getattr(self, name), dtype=np.float64))
+        for name in ("site_of", "triangles", "edges", "dual_edges"):
+            object.__setattr__(self, name, np.ascontiguousarray(getattr(self, name), dtype=np.int32))
+        super().__post_init__()
+
     @property
     def shifts(self) -> NDArray[np.int8]:
         """Periods crossed by each edge, (m, 2) int8: zeros, takes no memory."""

@@ -26,7 +26,7 @@ mod _core {
     #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]
-    use crate::maze::voronoi_maze;
+    use crate::maze::{carve, solve};
     #[pymodule_export]
     use crate::sample::{sample_laplace, sample_normal, sample_uniform};
     #[pymodule_export]

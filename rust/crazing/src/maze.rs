@@ -78,6 +78,66 @@ fn opened(passages: &[Passage], opening: f64, key: Key) -> Vec<Passage> {
     chosen
 }
 
+/// The cells along the shortest way from `source` to `target` through open doors, by breadth-first search; empty when
+/// there is none.
+///
+/// # Errors
+/// [`Error::BadIndex`] when either is no cell, [`Error::Interrupted`].
+///
+/// # Source
+/// Thesis, section 7.1.
+pub fn solve(
+    cells: usize,
+    sides: &[[i32; 2]],
+    open: &[bool],
+    source: usize,
+    target: usize,
+    watch: Watch<'_>,
+) -> Result<Vec<i32>> {
+    for (array, cell) in [("source", source), ("target", target)] {
+        if cell >= cells {
+            return Err(Error::BadIndex { array, row: 0, value: cell as i64, low: 0, limit: cells as i64 });
+        }
+    }
+    let graph = Neighbours::of(cells, sides, open);
+    let [source, target] = [source, target].map(|cell| graph.rank_of[cell]);
+    // From the target, so that following the links from the source gives the way in its order.
+    let toward = breadth_first(&graph, target, source, watch)?;
+    let mut way = Vec::new();
+    let mut at = source;
+    while toward[at as usize] != UNSEEN {
+        way.push(graph.cell_of[at as usize]);
+        if at == target {
+            break;
+        }
+        at = toward[at as usize];
+    }
+    Ok(way)
+}
+
+/// Not reached by the search.
+const UNSEEN: u32 = u32::MAX;
+
+/// The neighbour of each cell that is one door nearer to `root`, for all cells up to the distance of `goal`.
+fn breadth_first(graph: &Neighbours, root: u32, goal: u32, watch: Watch<'_>) -> Result<Vec<u32>> {
+    let mut toward = vec![UNSEEN; graph.cell_of.len()];
+    let mut queue = vec![root];
+    toward[root as usize] = root;
+    let mut next = 0;
+    while next < queue.len() && toward[goal as usize] == UNSEEN {
+        watch.poll_at(next)?;
+        let cell = queue[next];
+        next += 1;
+        for &[neighbour, _] in graph.entries_of(cell) {
+            if toward[neighbour as usize] == UNSEEN {
+                toward[neighbour as usize] = cell;
+                queue.push(neighbour);
+            }
+        }
+    }
+    Ok(toward)
+}
+
 /// The neighbours of every cell and the doors to them, in one row.
 ///
 /// Cells are renumbered by first appearance in `sides`: the edges of a diagram follow a curve through the plane, so
@@ -120,6 +180,10 @@ impl Neighbours {
             }
         }
         Self { cell_of, rank_of, starts, entries }
+    }
+
+    fn entries_of(&self, cell: u32) -> &[[u32; 2]] {
+        &self.entries[self.starts[cell as usize] as usize..self.starts[cell as usize + 1] as usize]
     }
 }
 

@@ -1,0 +1,115 @@
+"""Mazes: the laws, with networkx and SciPy as witnesses."""
+
+from __future__ import annotations
+
+import networkx as nx
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import shortest_path
+
+import crazing as cz
+
+
+def sides(m: cz.Maze) -> np.ndarray:
+    return m.diagram.dual_edges if m.cells == "delaunay" else m.diagram.edges
+
+
+def size(m: cz.Maze) -> int:
+    return len(m.diagram.triangles if m.cells == "delaunay" else m.diagram.sites)
+
+
+@settings(max_examples=40, deadline=None)
+@given(n=st.integers(3, 120), seed=st.integers(0, 10**6), cells=st.sampled_from(["voronoi", "delaunay"]))
+def test_passages_are_a_spanning_tree_of_open_doors(n: int, seed: int, cells: str) -> None:
+    m = cz.maze(cz.sample.uniform(n, rng=seed), cells=cells, rng=seed)
+    tree = nx.Graph(m.passages.tolist())
+    tree.add_nodes_from(range(size(m)))
+    assert nx.is_tree(tree)
+    assert {frozenset(e) for e in sides(m)[m.open].tolist()} == {frozenset(e) for e in m.passages.tolist()}
+
+
+@settings(max_examples=40, deadline=None)
+@given(n=st.integers(3, 120), seed=st.integers(0, 10**6), cells=st.sampled_from(["voronoi", "delaunay"]))
+def test_shut_doors_join_a_cell_and_its_ancestor(n: int, seed: int, cells: str) -> None:
+    m = cz.maze(cz.sample.uniform(n, rng=seed), cells=cells, rng=seed)
+    parent = dict(m.passages[:, ::-1].tolist())
+
+    def ancestors(cell: int) -> set[int]:
+        found = {cell}
+        while cell in parent:
+            cell = parent[cell]
+            found.add(cell)
+        return found
+
+    for a, b in sides(m)[~m.open].tolist():
+        assert a < 0 or b < 0 or a in ancestors(b) or b in ancestors(a)
+
+
+def test_walls_have_no_cycle_and_with_the_passages_make_the_diagram() -> None:
+    m = cz.maze(cz.sample.normal(500, rng=4), rng=4, bounds=(-9, -9, 9, 9))
+    g = m.walls
+    # Walls are cut at the bounds, so a tree reaches the frame more than once; nothing encloses a cell.
+    assert len(g.edges) == len(np.unique(g.edges)) - g.components
+    assert int(m.open.sum()) + int((~m.open).sum()) == len(m.diagram.edges)
+
+
+@pytest.mark.parametrize("cells", ["voronoi", "delaunay"])
+def test_solution_is_scipys_shortest_way(cells: str) -> None:
+    m = cz.maze(cz.sample.uniform(400, rng=6), cells=cells, rng=6)
+    n = size(m)
+    a, b = sides(m)[m.open].T
+    distance = shortest_path(coo_matrix((np.ones(len(a)), (a, b)), (n, n)), directed=False, unweighted=True)
+    doors = {frozenset(pair) for pair in m.passages.tolist()}
+    for source, target in [(0, n - 1), (3, 3), (n // 2, 1)]:
+        way = m.solve(source, target)
+        assert (way[0], way[-1]) == (source, target)
+        assert len(way) == distance[source, target] + 1
+        assert all(frozenset(step) in doors for step in zip(way[:-1].tolist(), way[1:].tolist(), strict=True))
+
+
+def test_no_way_through_shut_doors_is_empty() -> None:
+    m = cz.maze(cz.sample.uniform(40, rng=1), opening=0, rng=1)
+    assert not m.open.any()
+    assert m.solve(0, 1).tolist() == []
+    assert m.solve(5, 5).tolist() == [5]
+
+
+def test_same_seed_same_maze_and_other_seed_another() -> None:
+    d = cz.diagram(cz.sample.uniform(200, rng=0))
+    assert cz.maze(d, rng=5) == cz.maze(d, rng=5)
+    assert cz.maze(d, rng=5) != cz.maze(d, rng=6)
+    generator = np.random.default_rng(5)
+    assert cz.maze(d, rng=generator) == cz.maze(d, rng=5)
+    assert cz.maze(d, rng=generator) != cz.maze(d, rng=5)
+    assert cz.maze(d, start=17, rng=5).passages[0, 0] == 17
+
+
+def test_known_answer() -> None:
+    m = cz.maze([(0, 0), (2, 0), (0, 2), (2, 2), (1, 1.1)], rng=42)
+    assert (m.start, m.passages.tolist()) == KNOWN
+
+
+def test_points_on_a_line_are_a_corridor() -> None:
+    m = cz.maze([(float(i), 0.0) for i in range(9)], start=0, rng=0)
+    assert m.solve(0, 8).tolist() == list(range(9))
+    assert len(m.walls.edges) == 0
+
+
+def test_a_square_grid_has_no_door_through_a_corner() -> None:
+    m = cz.maze([(x, y) for x in range(6) for y in range(6)], rng=3)
+    steps = np.abs(np.diff(m.diagram.sites[m.passages], axis=1)[:, 0]).sum(axis=1)
+    assert (steps == 1).all()
+
+
+def test_bad_cells_are_named() -> None:
+    m = cz.maze(cz.sample.uniform(10, rng=1), rng=1)
+    with pytest.raises(cz.CrazingError, match=r"target.* is 10; it must be at least 0 and less than 10"):
+        m.solve(0, 10)
+    with pytest.raises(cz.CrazingError, match="start"):
+        cz.maze(cz.sample.uniform(10, rng=1), start=10)
+
+
+KNOWN = (0, [])
