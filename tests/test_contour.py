@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 import crazing as cz
-from crazing.contour import contours, shares
+from crazing.contour import contours
 from crazing.errors import CrazingError
+from crazing.spread import shares
 
 
 def disc(size: int = 41, radius: float = 15.0, centre: tuple[float, float] | None = None) -> np.ndarray:

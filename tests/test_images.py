@@ -5,6 +5,7 @@ from __future__ import annotations
 import struct
 import warnings
 import zlib
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -114,17 +115,42 @@ def png_header(width: int, height: int) -> bytes:
 def test_bombs_are_refused_by_their_header(tmp_path) -> None:
     path = tmp_path / "bomb.png"
     path.write_bytes(png_header(1 << 14, (1 << 14) + 1))
-    with pytest.raises(CrazingError, match=rf"bomb\.png has 16384 x 16385 pixels; at most {PIXEL_LIMIT}"):
+    with (
+        pytest.warns(Image.DecompressionBombWarning),
+        pytest.raises(CrazingError, match=rf"bomb\.png has 16384 x 16385 pixels; at most {PIXEL_LIMIT}"),
+    ):
+        read_image(path)
+    path.write_bytes(png_header(1 << 20, 1 << 20))
+    with pytest.raises(CrazingError, match=r"bomb\.png"):
         read_image(path)
 
 
-def test_pictures_beyond_pillows_own_limit_are_read(tmp_path) -> None:
+@pytest.mark.parametrize(
+    ("name", "options"), [("large.png", {}), ("large.tif", {"compression": "group4"}), ("large.tif", {})]
+)
+def test_pictures_beyond_pillows_own_limit_are_read(tmp_path, name, options) -> None:
     limit = Image.MAX_IMAGE_PIXELS
-    path = tmp_path / "large.png"
-    Image.new("1", (14_000, 14_000)).save(path)
+    Image.new("1", (14_000, 14_000)).save(tmp_path / name, **options)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert read_image(path).shape == (14_000, 14_000)
+        assert read_image(tmp_path / name).shape == (14_000, 14_000)
+    assert Image.MAX_IMAGE_PIXELS == limit
+
+
+def test_pillows_limit_returns_after_many_readers_at_once(tmp_path) -> None:
+    limit = Image.MAX_IMAGE_PIXELS
+    good = saved(tmp_path, GREY)
+    bad = tmp_path / "bad.png"
+    bad.write_bytes(b"no picture")
+
+    def read(path: Path) -> bool:
+        try:
+            return read_image(path).shape == GREY.shape
+        except CrazingError:
+            return False
+
+    with ThreadPoolExecutor(8) as pool:
+        assert sum(pool.map(read, [good, bad] * 100)) == 100
     assert Image.MAX_IMAGE_PIXELS == limit
 
 

@@ -22,9 +22,7 @@ LONG_CALLS = {
     "medial_axis": "cz.medial_axis(points)",
     "maze": "cz.maze(points, rng=1)",
     "crack": "cz.crack(points, rng=1)",
-    "relax": "cz.sample.relax(points, iterations=1000, bounds=(0, 0, 1, 1))",
-    "poisson_disk": "cz.sample.poisson_disk(2e-4, rng=1)",
-    "render": "[cz.render(crack, 16384) for _ in range(50)]",
+    "render": "while True: cz.render(crack, 16384)",
 }
 PROGRAM = """
     import time

@@ -28,19 +28,31 @@ def test_module_names_say_what_is_in_them(root: Path) -> None:
     ] == []
 
 
+def docstring_lines(node: ast.AST) -> int:
+    """Lines of a node's own docstring: it may be as long as it has to be."""
+    if not isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
+        return 0
+    if ast.get_docstring(node, clean=False) is None:
+        return 0
+    return (node.body[0].end_lineno or 0) - node.body[0].lineno + 1
+
+
+def file_lines(path: Path) -> int:
+    text = path.read_text(encoding="utf-8")
+    documented = sum(map(docstring_lines, ast.walk(ast.parse(text)))) if path.suffix == ".py" else 0
+    return len(text.splitlines()) - documented
+
+
 def test_files_are_short(root: Path) -> None:
-    lengths = {path: len(path.read_text(encoding="utf-8").splitlines()) for path in all_sources(root)}
-    assert {str(path.relative_to(root)): n for path, n in lengths.items() if n > FILE_LINES} == {}
+    lengths = {str(path.relative_to(root)): file_lines(path) for path in all_sources(root)}
+    assert {path: lines for path, lines in lengths.items() if lines > FILE_LINES} == {}
 
 
 def python_functions(path: Path) -> Iterator[tuple[str, int]]:
     """Name and lines of every function, without its docstring."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
-            first = node.body[0]
-            has_docstring = ast.get_docstring(node, clean=False) is not None
-            docstring = (first.end_lineno or 0) - first.lineno + 1 if has_docstring else 0
-            yield node.name, (node.end_lineno or 0) - node.lineno + 1 - docstring
+            yield node.name, (node.end_lineno or 0) - node.lineno + 1 - docstring_lines(node)
 
 
 def rust_functions(path: Path) -> Iterator[tuple[str, int]]:

@@ -45,7 +45,9 @@ def mypy(program: str, folder: Path) -> subprocess.CompletedProcess[str]:
 
 
 def test_stub_matches_the_module(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "mypy.stubtest", "crazing._core"]
+    # PyO3 makes this list out of every name; the names themselves are held below.
+    (tmp_path / "allowed").write_text(r"crazing\._core\.__all__")
+    command = [sys.executable, "-m", "mypy.stubtest", "crazing._core", "--allowlist", "allowed"]
     run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
     assert run.returncode == 0, run.stdout + run.stderr
 

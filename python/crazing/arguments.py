@@ -1,4 +1,4 @@
-"""The only judge of the shape, type and range of arguments: what was found, where, what is wanted."""
+"""The only place that judges the shape, type and range of arguments: what was found, what is wanted."""
 
 from __future__ import annotations
 

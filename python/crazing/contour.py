@@ -14,9 +14,7 @@ from crazing.errors import CrazingError
 from crazing.extras import require
 from crazing.images import brightness
 from crazing.record import Record
-
-#: Fewest points a line is given: with two, a closed line would be gone.
-FEWEST = 3
+from crazing.spread import FEWEST, counts_at, shares, travelled, walk
 
 # A thousandth of a pixel apart is far finer than any pixel can tell; it bounds how many points are asked for.
 _FINEST_SPACING = 1e-3
@@ -58,8 +56,8 @@ class Contours(Record):
     @property
     def length(self) -> NDArray[np.float64]:
         """(lines,) length of every line in pixels, the joining edge of closed lines with it."""
-        travelled = _travelled(self)
-        return travelled[self.offsets[1:]] - travelled[self.offsets[:-1]]
+        along = travelled(self)
+        return along[self.offsets[1:]] - along[self.offsets[:-1]]
 
     def evenly(self, n: int | None = None, *, spacing: float | None = None) -> NDArray[np.float64]:
         """Points at even distances along the lines, line after line.
@@ -68,6 +66,13 @@ class Contours(Record):
         number that brings its step nearest to `spacing` pixels. A closed line starts at its first point, an open one
         has points at both ends. A line is given 3 points or more, or none: of the longest lines as many are kept as
         have a fair share of 3 among themselves; with `spacing`, a line too short for 3 points is left out.
+
+        Parameters
+        ----------
+        n : int, optional
+            Number of points in all, 3 or more.
+        spacing : float, optional
+            Pixels from a point to the next, 0.001 or more.
 
         Returns
         -------
@@ -84,9 +89,9 @@ class Contours(Record):
         if (n is None) == (spacing is None):
             raise ValueError("exactly one of n and spacing is wanted")
         if spacing is None:
-            return _walk(self, shares(self.length, arguments.count(n, "n", low=FEWEST)))
+            return walk(self, shares(self.length, arguments.count(n, "n", low=FEWEST)))
         step = arguments.number(spacing, "spacing", low=_FINEST_SPACING)
-        return _walk(self, _counts(self, step))
+        return walk(self, counts_at(self, step))
 
 
 def contours(image: ArrayLike, level: float | Sequence[float] = 0.5) -> Contours:
@@ -99,8 +104,15 @@ def contours(image: ArrayLike, level: float | Sequence[float] = 0.5) -> Contours
     level : float or sequence of float
         One brightness or several; the lines of the first come first.
 
+    Returns
+    -------
+    Contours
+        Line after line, in the frame of pixels; at least one.
+
     Raises
     ------
+    TypeError, ValueError
+        If the image or a level is not what is listed above.
     CrazingError
         If there is no line, or a pixel is not finite.
     ImportError
@@ -193,79 +205,3 @@ def _tidy(coords: NDArray[np.float64], sizes: NDArray[np.int64]) -> Contours:
     keep &= np.repeat(whole, sizes)
     offsets = np.concatenate([[0], np.cumsum(distinct[whole])])
     return Contours(coords[keep], offsets, closed[whole])
-
-
-def _travelled(lines: Contours) -> NDArray[np.float64]:
-    """(k + 1,) distance from the first point of the first line, with no gap between lines.
-
-    Written without `np.hypot` and `np.interp`, whose last bit depends on the platform.
-    """
-    if not len(lines):
-        return np.zeros(1)
-    steps = _following(lines) - lines.coords
-    squares = steps * steps
-    lengths = np.sqrt(squares[:, 0] + squares[:, 1])
-    lengths[lines.offsets[1:][~lines.closed] - 1] = 0.0
-    return np.concatenate([[0.0], np.cumsum(lengths)])
-
-
-def _following(lines: Contours) -> NDArray[np.float64]:
-    """The point after each; after the last of a line, its first."""
-    after = np.roll(lines.coords, -1, axis=0)
-    after[lines.offsets[1:] - 1] = lines.coords[lines.offsets[:-1]]
-    return after
-
-
-def shares(length: NDArray[np.float64], n: int) -> NDArray[np.int64]:
-    """`n` points shared among lines in proportion to length, 3 or more to a line or none.
-
-    The longest lines are kept, as many as have each a fair share of 3 among themselves; then whole shares are given
-    and the rest by largest remainder. Ties go to the line that comes first. The sum is `n`.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from crazing.contour import shares
-    >>> shares(np.array([10.0, 1.0, 20.0]), 10)
-    array([3, 0, 7])
-    """
-    order = np.argsort(-length, kind="stable")
-    sums = np.cumsum(length[order])
-    # Each line's share among itself and the longer ones: it never grows along the order, and the first is n.
-    fair = n * length[order] / sums >= FEWEST
-    kept = max(1, int(np.logical_and.accumulate(fair).sum()))
-    quota = n * length[order[:kept]] / sums[kept - 1]
-    counts = np.floor(quota).astype(np.int64)
-    largest = np.argsort(counts - quota, kind="stable")
-    counts[largest[: n - int(counts.sum())]] += 1
-    result = np.zeros(len(length), dtype=np.int64)
-    result[order[:kept]] = counts
-    return result
-
-
-def _counts(lines: Contours, step: float) -> NDArray[np.int64]:
-    counts = np.rint(lines.length / step).astype(np.int64) + ~lines.closed
-    counts[counts < FEWEST] = 0
-    if not counts.any():
-        longest = float(lines.length.max(initial=0.0))
-        raise CrazingError(
-            f"spacing is {step:g} pixels; the longest contour, of {longest:g}, is too short for it"
-        )
-    arguments.count(int(counts.sum()), "number of points at this spacing")
-    return counts
-
-
-def _walk(lines: Contours, counts: NDArray[np.int64]) -> NDArray[np.float64]:
-    """`counts[j]` points at even distances along line j."""
-    travelled, length = _travelled(lines), lines.length
-    line = np.repeat(np.arange(len(lines)), counts)
-    step = np.arange(len(line)) - np.repeat(np.cumsum(counts) - counts, counts)
-    gaps = np.where(lines.closed, counts, counts - 1)[line]
-    start, stop = lines.offsets[line], lines.offsets[line + 1]
-    distance = travelled[start] + length[line] * step / gaps
-    # The edge that holds the distance; rounding must not lead it into a neighbouring line.
-    edge = np.clip(np.searchsorted(travelled, distance, side="right") - 1, start, stop - 1)
-    span = travelled[edge + 1] - travelled[edge]
-    part = np.divide(distance - travelled[edge], span, out=np.zeros(len(line)), where=span > 0)
-    after = _following(lines)
-    return lines.coords[edge] + np.clip(part, 0.0, 1.0)[:, None] * (after[edge] - lines.coords[edge])

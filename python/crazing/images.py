@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from typing import IO, Any
+import threading
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,18 +15,8 @@ from crazing.extras import require
 #: Most pixels of a file that is read: 16384 x 16384, the largest picture of our own.
 PIXEL_LIMIT = 1 << 28
 
-# First bytes, Pillow's module and class. A file of any other kind is refused before a decoder sees it.
-_DECODERS = (
-    (b"\x89PNG\r\n\x1a\n", "PngImagePlugin", "PngImageFile"),
-    (b"\xff\xd8\xff", "JpegImagePlugin", "JpegImageFile"),
-    (b"II*\0", "TiffImagePlugin", "TiffImageFile"),
-    (b"MM\0*", "TiffImagePlugin", "TiffImageFile"),
-    (b"II+\0", "TiffImagePlugin", "TiffImageFile"),
-    (b"MM\0+", "TiffImagePlugin", "TiffImageFile"),
-    (b"BM", "BmpImagePlugin", "BmpImageFile"),
-    (b"GIF8", "GifImagePlugin", "GifImageFile"),
-    (b"RIFF", "WebPImagePlugin", "WebPImageFile"),
-)
+# A file of any other kind is refused before a decoder sees it.
+_FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "GIF", "WEBP")
 
 # Pillow's modes of one number a pixel; all others become colour.
 _KEPT = frozenset({"1", "L", "F", "I", "I;16", "I;16L", "I;16B", "I;16N"})
@@ -72,31 +63,50 @@ def read_image(path: str | os.PathLike[str]) -> NDArray[Any]:
     array([[7, 7, 7],
            [7, 7, 7]], dtype=uint8)
     """
-    with open(path, "rb") as stream:
-        decoder = _decoder(stream, path)
+    library = require("PIL.Image", "image")
+    with open(path, "rb") as stream, _our_limit:
         try:
-            with decoder(stream) as picture:
+            with library.open(stream, formats=_FORMATS) as picture:
                 _check_size(picture.size, path)
                 return _pixels(picture)
         except (CrazingError, MemoryError):
             raise
+        except library.UnidentifiedImageError:
+            wanted = "PNG, JPEG, TIFF, BMP, GIF or WebP is wanted"
+            raise CrazingError(f"{os.fspath(path)} is not a readable picture; {wanted}") from None
         except Exception as error:  # Decoders of damaged files raise whatever their parsing runs into.
             if isinstance(error, OSError) and error.errno is not None:
                 raise
             raise CrazingError(f"{os.fspath(path)} cannot be read as a picture: {error}") from error
 
 
-def _decoder(stream: IO[bytes], path: str | os.PathLike[str]) -> Any:
-    """Pillow's class for the content of `stream`.
+class _Limit:
+    """Puts Pillow's limit on pixels at ours while pictures are read, and back when the last is done.
 
-    Not `PIL.Image.open`: its limit on pixels lies below ours and is one global number for all users of Pillow.
+    Pillow's own is a third of ours, it is one number for the whole process, and some decoders look at it late.
     """
-    start = stream.read(8)
-    stream.seek(0)
-    for magic, module, name in _DECODERS:
-        if start.startswith(magic):
-            return getattr(require(f"PIL.{module}", "image"), name)
-    raise CrazingError(f"{os.fspath(path)} is not a picture; PNG, JPEG, TIFF, BMP, GIF or WebP is wanted")
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._readers = 0
+        self._before: int | None = None
+
+    def __enter__(self) -> None:
+        library: Any = require("PIL.Image", "image")
+        with self._lock:
+            if self._readers == 0:
+                self._before, library.MAX_IMAGE_PIXELS = library.MAX_IMAGE_PIXELS, PIXEL_LIMIT
+            self._readers += 1
+
+    def __exit__(self, *_: object) -> None:
+        library: Any = require("PIL.Image", "image")
+        with self._lock:
+            self._readers -= 1
+            if self._readers == 0:
+                library.MAX_IMAGE_PIXELS = self._before
+
+
+_our_limit = _Limit()
 
 
 def _check_size(size: tuple[int, int], path: str | os.PathLike[str]) -> None:

@@ -11,11 +11,8 @@ import numpy as np
 def same(a: Any, b: Any) -> bool:
     """Whether two field values hold the same content."""
     if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
-        return (
-            isinstance(a, np.ndarray)
-            and isinstance(b, np.ndarray)
-            and np.array_equal(a, b, equal_nan=a.dtype.kind == "f")
-        )
+        both = isinstance(a, np.ndarray) and isinstance(b, np.ndarray)
+        return both and np.array_equal(a, b, equal_nan=a.dtype.kind == "f")
     return bool(a == b)
 
 

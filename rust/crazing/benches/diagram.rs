@@ -62,13 +62,13 @@ fn main() {
             let with_bulk = name == "uniform" || n <= 10_000;
             let mut best = [f64::INFINITY; 3];
             for _ in 0..runs {
-                for (slot, work) in best.iter_mut().zip([bulk, in_rounds, ours]) {
-                    if work as usize == bulk as usize && !with_bulk {
+                for (which, work) in [bulk, in_rounds, ours].into_iter().enumerate() {
+                    if which == 0 && !with_bulk {
                         continue;
                     }
                     let start = Instant::now();
                     std::hint::black_box(work(&points));
-                    *slot = slot.min(start.elapsed().as_secs_f64() * 1e9 / n as f64);
+                    best[which] = best[which].min(start.elapsed().as_secs_f64() * 1e9 / n as f64);
                 }
             }
             let ratio = best[2] / best[0].min(best[1]);

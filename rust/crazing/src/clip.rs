@@ -39,13 +39,15 @@ pub fn check_bounds(bounds: Bounds) -> Result<()> {
 /// [`Error::BadValue`] for bounds without an area.
 pub fn dual_edges(view: DiagramView<'_>, bounds: Bounds, wanted: impl Fn(usize) -> bool) -> Result<Clipped> {
     check_bounds(bounds)?;
-    let scale = Scale::of(largest(view.sites).max(bounds.iter().fold(0.0, |m, x| x.abs().max(m))));
+    // Sites may be far smaller than the bounds: directions are taken in the unit of the sites, positions in a common one.
+    let fine = Scale::of(largest(view.sites));
+    let scale = Scale::of(largest(view.sites).max(largest(&[[bounds[0], bounds[1]], [bounds[2], bounds[3]]])));
     let (low, high) = (scale.down([bounds[0], bounds[1]]), scale.down([bounds[2], bounds[3]]));
     let representative = representatives(view);
     let mut clipped =
         Clipped { graph: PlanarGraph { vertices: view.vertices.to_vec(), edges: Vec::new() }, rows: Vec::new() };
     for k in (0..view.edges.len()).filter(|&k| wanted(k)) {
-        let line = Bisector::of(view, k, scale);
+        let line = Bisector::of(view, k, fine, scale);
         let Some(inside) = line.within(low, high) else { continue };
         let mut cut = |t: f64| {
             let on_bounds = |x: f64, axis: usize| x.clamp(bounds[axis], bounds[axis + 2]);
@@ -54,8 +56,9 @@ pub fn dual_edges(view: DiagramView<'_>, bounds: Bounds, wanted: impl Fn(usize) 
             clipped.graph.vertices.len() as i32 - 1
         };
         let [right, left] = view.dual_edges[k];
-        let from = if inside[0] > line.ends[0] { cut(inside[0]) } else { representative[right as usize] };
-        let to = if inside[1] < line.ends[1] { cut(inside[1]) } else { representative[left as usize] };
+        let from =
+            if right == -1 || inside[0] > line.ends[0] { cut(inside[0]) } else { representative[right as usize] };
+        let to = if left == -1 || inside[1] < line.ends[1] { cut(inside[1]) } else { representative[left as usize] };
         clipped.graph.edges.push([from, to]);
         clipped.rows.push(k as i32);
     }
@@ -71,9 +74,12 @@ struct Bisector {
 }
 
 impl Bisector {
-    fn of(view: DiagramView<'_>, k: usize, scale: Scale) -> Self {
-        let [p, q] = view.edges[k].map(|site| scale.down(view.sites[site as usize]));
-        let normal = [p[1] - q[1], q[0] - p[0]];
+    fn of(view: DiagramView<'_>, k: usize, fine: Scale, scale: Scale) -> Self {
+        let ends = view.edges[k].map(|site| view.sites[site as usize]);
+        let [p, q] = ends.map(|p| fine.down(p));
+        let size = (q[0] - p[0]).abs().max((q[1] - p[1]).abs());
+        let normal = [(p[1] - q[1]) / size, (q[0] - p[0]) / size];
+        let [p, q] = ends.map(|p| scale.down(p));
         let middle = [p[0] + 0.5 * (q[0] - p[0]), p[1] + 0.5 * (q[1] - p[1])];
         let square = normal[0] * normal[0] + normal[1] * normal[1];
         let [right, left] = view.dual_edges[k];
@@ -94,9 +100,6 @@ impl Bisector {
     /// The part of the dual edge between two corners; None when that has no length.
     fn within(&self, low: Point, high: Point) -> Option<[f64; 2]> {
         let [mut start, mut end] = self.ends;
-        if self.normal == [0.0; 2] {
-            return None;
-        }
         for axis in 0..2 {
             let (origin, step) = (self.middle[axis], self.normal[axis]);
             if step == 0.0 {

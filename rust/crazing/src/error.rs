@@ -10,7 +10,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[non_exhaustive]
 pub enum Error {
     /// A coordinate is NaN or infinite.
-    #[error("points[{row}] is ({x}, {y}); every coordinate must be finite")]
+    #[error("points[{row}] is ({}, {}); every coordinate must be finite", spelt(*x), spelt(*y))]
     NotFinite {
         /// Row of the input.
         row: usize,
@@ -103,4 +103,22 @@ pub enum Error {
     /// A state that the library promises never to reach.
     #[error("internal error: {0}; please report it")]
     Internal(&'static str),
+}
+
+/// A number as Python spells it.
+fn spelt(value: f64) -> String {
+    if value.is_nan() { "nan".into() } else { format!("{value:?}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Error;
+
+    #[test]
+    fn coordinates_are_spelt_as_in_python() {
+        let error = Error::NotFinite { row: 17, x: f64::NAN, y: 2.0 };
+        assert_eq!(error.to_string(), "points[17] is (nan, 2.0); every coordinate must be finite");
+        let error = Error::NotFinite { row: 0, x: -1e300, y: f64::NEG_INFINITY };
+        assert_eq!(error.to_string(), "points[0] is (-1e300, -inf); every coordinate must be finite");
+    }
 }

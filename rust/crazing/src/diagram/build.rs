@@ -64,7 +64,8 @@ fn renumber(topology: &mut delaunay::Topology, curve: &[u32]) {
     }
     for (ends, sides) in topology.edges.iter_mut().zip(&mut topology.dual_edges) {
         *ends = ends.map(site);
-        if sides[0] == -1 || (sides[1] != -1 && ends[0] > ends[1]) {
+        let outside = sides.map(|side| side == -1);
+        if outside == [true, false] || (outside[0] == outside[1] && ends[0] > ends[1]) {
             ends.reverse();
             sides.reverse();
         }

@@ -4,6 +4,7 @@
 //! cost is O(n log n) whatever the input. Rounds are drawn by a hash of the coordinates, so the order depends on the
 //! set of points only, not on their numbering.
 
+use super::scale::largest;
 use crate::graph::Point;
 use crate::parallel;
 
@@ -115,7 +116,10 @@ fn round(p: Point) -> usize {
 
 /// Rows of `points`, which follow a curve, in the order of insertion.
 pub(super) fn rounds(points: &[Point]) -> Vec<u32> {
-    let round_of: Vec<u8> = points.iter().map(|&p| round(p) as u8).collect();
+    // In units of the largest coordinate's power of two, so that scaling by one changes no round.
+    let largest = largest(points);
+    let unit = if largest > 0.0 { libm::ldexp(1.0, -libm::ilogb(largest)) } else { 1.0 };
+    let round_of: Vec<u8> = points.iter().map(|&p| round(p.map(|x| x * unit)) as u8).collect();
     let mut starts = [0_usize; 65];
     for &r in &round_of {
         starts[64 - usize::from(r)] += 1;

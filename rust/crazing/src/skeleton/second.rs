@@ -1,5 +1,6 @@
 //! The thesis' own way: a second triangulation, of sites and Voronoi vertices together.
 
+use super::one_step;
 use crate::diagram::scale::{Scale, largest};
 use crate::diagram::{DiagramView, representatives, triangulate_near_one};
 use crate::error::Result;
@@ -41,9 +42,13 @@ pub fn second(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Second> {
     let (first_row, edges) = triangulate_near_one(points, watch)?;
     let found = Ends::sort(&edges, &first_row, &distinct, view.sites.len());
     let dual = |k: usize| view.dual_edges[k].map(|t| if t == -1 { -1 } else { representative[t as usize] });
+    // Whether the two ends of its own dual let an edge be crust is known exactly, not only for rounded vertices.
+    let one_step = one_step(view)?;
+    let is_crust = |k: usize| one_step[k] && found.crust.binary_search(&ordered(view.edges[k])).is_ok();
+    let is_axis = |k: usize| !one_step[k] && found.axis.binary_search(&ordered(dual(k))).is_ok();
     Ok(Second {
-        crust: (0..view.edges.len()).map(|k| found.crust.binary_search(&ordered(view.edges[k])).is_ok()).collect(),
-        filtered: (0..view.edges.len()).map(|k| found.axis.binary_search(&ordered(dual(k))).is_ok()).collect(),
+        crust: (0..view.edges.len()).map(is_crust).collect(),
+        filtered: (0..view.edges.len()).map(is_axis).collect(),
         axis: found.axis,
     })
 }

@@ -1,0 +1,142 @@
+//! Laws of mazes and of the cracks along their walls.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod families;
+
+use crazing::clip::dual_edges;
+use crazing::crack::{Profile, crack, strands};
+use crazing::diagram::diagram;
+use crazing::maze::{Maze, carve, voronoi_doors};
+use crazing::sets::DisjointSets;
+use crazing::{Diagram, Point, Watch};
+use families::{any_points, family, lattice};
+use proptest::prelude::*;
+
+fn of(points: &[Point]) -> Diagram {
+    diagram(points, Watch::default()).unwrap()
+}
+
+fn maze_of(d: &Diagram, opening: f64, seed: u64) -> Maze {
+    carve(d.sites.len(), &d.edges, &voronoi_doors(d.view()), None, opening, [seed, 0], Watch::default()).unwrap()
+}
+
+/// First and last step of the search at each cell: an ancestor's interval holds its descendants'.
+fn intervals(m: &Maze, cells: usize) -> Vec<(usize, usize)> {
+    let mut parent = vec![-1; cells];
+    let mut found = vec![(0, 0); cells];
+    for (step, &[from, to]) in m.passages.iter().enumerate() {
+        parent[to as usize] = from;
+        found[to as usize] = (step + 1, step + 1);
+    }
+    for (step, &[_, to]) in m.passages.iter().enumerate() {
+        let mut at = to;
+        while at != -1 {
+            found[at as usize].1 = found[at as usize].1.max(step + 1);
+            at = parent[at as usize];
+        }
+    }
+    found
+}
+
+#[test]
+fn a_star_of_cells_and_a_million_deep_path_need_no_recursion() {
+    let path = of(&family("line", 200_000, 0));
+    let m = maze_of(&path, 1.0, 1);
+    assert_eq!(m.passages.len(), 199_999);
+    assert!(m.open.iter().all(|&open| open));
+}
+
+#[test]
+fn choice_among_neighbours_is_uniform() {
+    // The centre of a hexagon: which of six neighbours comes first, over many seeds.
+    let mut points = family("circle", 6, 0);
+    points.push([0.0, 0.0]);
+    let d = of(&points);
+    let mut first = [0_u32; 6];
+    for seed in 0..6000 {
+        let m = carve(7, &d.edges, &voronoi_doors(d.view()), Some(6), 1.0, [seed, 3], Watch::default()).unwrap();
+        first[m.passages[0][1] as usize] += 1;
+    }
+    let chi2: f64 = first.iter().map(|&c| (f64::from(c) - 1000.0).powi(2) / 1000.0).sum();
+    assert!(chi2 < 25.0, "{first:?}"); // 1 in 7000 with 5 degrees of freedom
+}
+
+#[test]
+fn widths_taper_to_free_tips_and_stay_at_the_bounds() {
+    let d = of(&family("uniform", 300, 2));
+    let m = maze_of(&d, 1.0, 2);
+    let bounds = [0.0, 0.0, 1.0, 1.0];
+    let c = crack(d.view(), &m.open, bounds, Profile { width: 0.01, hierarchy: 0.5, taper: 0.5 }).unwrap();
+    let mut degree = vec![0; c.graph.vertices.len()];
+    c.graph.edges.iter().flatten().for_each(|&v| degree[v as usize] += 1);
+    let mut tips = 0;
+    for (edge, width) in c.graph.edges.iter().zip(&c.width) {
+        for (&v, &w) in edge.iter().zip(width) {
+            let on_bounds = c.graph.vertices[v as usize].iter().any(|&x| x == 0.0 || x == 1.0);
+            assert!((0.0..=0.01 + 1e-15).contains(&w));
+            if degree[v as usize] == 1 {
+                tips += usize::from(!on_bounds);
+                assert_eq!(w == 0.0, !on_bounds);
+            }
+        }
+    }
+    assert!(tips > 20);
+    assert_eq!(c.strand.iter().zip(&c.generation).filter(|(s, _)| **s == 0).map(|(_, g)| *g).max(), Some(0));
+}
+
+proptest! {
+    #[test]
+    fn passages_are_a_spanning_tree_and_shut_doors_lead_to_ancestors(
+        points in prop_oneof![any_points(), lattice()], seed in any::<u64>()
+    ) {
+        let d = of(&points);
+        let m = maze_of(&d, 1.0, seed);
+        prop_assert_eq!(m.passages.len(), d.sites.len().saturating_sub(1));
+        let mut sets = DisjointSets::new(d.sites.len());
+        for &[a, b] in &m.passages {
+            prop_assert!(sets.unite(a as usize, b as usize), "a cycle");
+        }
+        let spans = intervals(&m, d.sites.len());
+        let holds = |a: (usize, usize), b: (usize, usize)| a.0 <= b.0 && b.1 <= a.1;
+        for ((&[a, b], door), open) in d.edges.iter().zip(voronoi_doors(d.view())).zip(&m.open) {
+            let (a, b) = (spans[a as usize], spans[b as usize]);
+            prop_assert!(!door || holds(a, b) || holds(b, a), "a shut door between cousins");
+            prop_assert!(door || !open);
+        }
+    }
+
+    #[test]
+    fn opening_opens_that_share(points in any_points(), opening in 0.0..=1.0, seed in any::<u64>()) {
+        let d = of(&points);
+        let m = maze_of(&d, opening, seed);
+        let open = m.open.iter().filter(|&&o| o).count();
+        prop_assert_eq!(open, (opening * m.passages.len() as f64).round() as usize);
+    }
+
+    #[test]
+    fn clipped_edges_lie_within_the_bounds(points in any_points()) {
+        let d = of(&points);
+        let bounds = [0.1, -0.2, 0.9, 1.7];
+        let clipped = dual_edges(d.view(), bounds, |_| true).unwrap();
+        for [x, y] in clipped.graph.edges.iter().flatten().map(|&v| clipped.graph.vertices[v as usize]) {
+            prop_assert!((0.1 - 1e-9..=0.9 + 1e-9).contains(&x) && (-0.2 - 1e-9..=1.7 + 1e-9).contains(&y));
+        }
+    }
+
+    #[test]
+    fn strands_cover_every_edge_once_and_are_walks(points in prop_oneof![any_points(), lattice()]) {
+        let d = of(&points);
+        let g = dual_edges(d.view(), [-1.0, -1.0, 7.0, 7.0], |_| true).unwrap().graph;
+        let s = strands(&g);
+        let mut edges: Vec<u32> = s.entries.iter().map(|entry| entry / 2).collect();
+        edges.sort_unstable();
+        prop_assert!(edges.into_iter().eq(0..g.edges.len() as u32));
+        for strand in s.starts.windows(2) {
+            for pair in s.entries[strand[0]..strand[1]].windows(2) {
+                let leaves = g.edges[pair[0] as usize / 2][1 - pair[0] as usize % 2];
+                prop_assert_eq!(leaves, g.edges[pair[1] as usize / 2][pair[1] as usize % 2]);
+            }
+        }
+        prop_assert!(s.length.is_sorted_by(|a, b| a >= b));
+    }
+}
