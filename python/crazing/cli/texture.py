@@ -82,7 +82,7 @@ def command(*, threads: int | None, as_json: bool, output: str, **parameters: An
 
 
 def _crack(
-    *, seed: int, size: tuple[int, int], sites: int, distribution: str, **steps_of_crack: float | None
+    *, seed: int, size: tuple[int, int], sites: int, distribution: str, **steps_of_crack: Any
 ) -> crazing.Crack:
     rng = np.random.default_rng(seed)
     aspect = size[0] / size[1]
