@@ -17,6 +17,17 @@ fn choose<T: Send, A: Send>(len: usize, arg: A, one: impl FnOnce(A) -> T, many: 
     }
 }
 
+/// Both results; `b` on a thread of its own when there are many items.
+pub(crate) fn join<A, B: Send>(len: usize, a: impl FnOnce() -> A, b: impl FnOnce() -> B + Send) -> (A, B) {
+    if len < WORTHWHILE {
+        return (a(), b());
+    }
+    std::thread::scope(|scope| {
+        let other = scope.spawn(b);
+        (a(), other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+    })
+}
+
 /// `f` of `0..len`, in order.
 pub(crate) fn map<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     choose(

@@ -90,7 +90,7 @@ fn duplicates_merge_in_order_of_first_appearance() {
 #[test]
 fn not_finite_is_named() {
     let error = diagram(&[[0.0, 0.0], [f64::NAN, 2.0]], Watch::default()).unwrap_err();
-    assert_eq!(error.to_string(), "points[1] is (NaN, 2); every coordinate must be finite");
+    assert_eq!(error.to_string(), "points[1] is (nan, 2.0); every coordinate must be finite");
     assert!(matches!(diagram(&[[f64::INFINITY, 0.0]], Watch::default()), Err(Error::NotFinite { row: 0, .. })));
 }
 

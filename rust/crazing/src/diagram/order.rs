@@ -15,7 +15,7 @@ const SHORT: usize = 8;
 pub fn insertion(points: &[Point]) -> Vec<u32> {
     let curve = hilbert(points);
     let along: Vec<Point> = curve.iter().map(|&row| points[row as usize]).collect();
-    rounds(&along).into_iter().map(|i| curve[i as usize]).collect()
+    rounds(&along).order.into_iter().map(|i| curve[i as usize]).collect()
 }
 
 /// Rows along a Hilbert curve; equal points stand together, the first row of them first.
@@ -114,27 +114,75 @@ fn round(p: Point) -> usize {
     (hash ^ (hash >> 31)).trailing_zeros() as usize
 }
 
-/// Rows of `points`, which follow a curve, in the order of insertion.
-pub(super) fn rounds(points: &[Point]) -> Vec<u32> {
+/// In which order to insert points that follow a curve.
+pub(super) struct Rounds {
+    /// Rows in the order of insertion.
+    pub(super) order: Vec<u32>,
+    /// For each row one that is close on the curve and inserted earlier: the place to start looking from.
+    pub(super) near: Vec<u32>,
+}
+
+/// Sorts rows by round, and along the curve within each.
+pub(super) fn rounds(points: &[Point]) -> Rounds {
     // In units of the largest coordinate's power of two, so that scaling by one changes no round.
     let largest = largest(points);
     let unit = if largest > 0.0 { libm::ldexp(1.0, -libm::ilogb(largest)) } else { 1.0 };
     let round_of: Vec<u8> = points.iter().map(|&p| round(p.map(|x| x * unit)) as u8).collect();
+    Rounds { order: by_round(&round_of), near: nearest_inserted(points, &round_of) }
+}
+
+/// The highest round is inserted first.
+fn by_round(round_of: &[u8]) -> Vec<u32> {
     let mut starts = [0_usize; 65];
-    for &r in &round_of {
+    for &r in round_of {
         starts[64 - usize::from(r)] += 1;
     }
     let mut next = 0;
     for start in &mut starts {
         next += std::mem::replace(start, next);
     }
-    let mut order = vec![0; points.len()];
+    let mut order = vec![0; round_of.len()];
     for (row, &r) in round_of.iter().enumerate() {
         let slot = &mut starts[64 - usize::from(r)];
         order[*slot] = row as u32;
         *slot += 1;
     }
     order
+}
+
+/// The last row before each one whose round is at least as high, or the next after it whose round is higher: the nearer
+/// of the two. On a curve the order jumps, and the one alone may be many samples away.
+fn nearest_inserted(points: &[Point], round_of: &[u8]) -> Vec<u32> {
+    let mut near = next_inserted(round_of);
+    // The last row of each round or a higher one.
+    let mut last = [0_u32; 65];
+    for (row, &r) in round_of.iter().enumerate() {
+        let before = last[usize::from(r)];
+        let distance = |other: u32| {
+            let (p, q) = (points[row], points[other as usize]);
+            (p[0] - q[0]).abs() + (p[1] - q[1]).abs()
+        };
+        let after = near[row];
+        if after == NONE || distance(before) <= distance(after) {
+            near[row] = before;
+        }
+        last[..=usize::from(r)].fill(row as u32);
+    }
+    near
+}
+
+/// No row.
+const NONE: u32 = u32::MAX;
+
+fn next_inserted(round_of: &[u8]) -> Vec<u32> {
+    // The next row of each round or a higher one.
+    let mut next = [NONE; 66];
+    let mut near = vec![NONE; round_of.len()];
+    for (row, &r) in round_of.iter().enumerate().rev() {
+        near[row] = next[usize::from(r) + 1];
+        next[..=usize::from(r)].fill(row as u32);
+    }
+    near
 }
 
 #[cfg(test)]
