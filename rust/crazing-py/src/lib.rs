@@ -2,6 +2,8 @@
 
 mod arrays;
 mod guard;
+mod png;
+mod render;
 
 use pyo3::prelude::*;
 
@@ -11,6 +13,10 @@ mod _core {
 
     #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
+    #[pymodule_export]
+    use crate::png::encode_png;
+    #[pymodule_export]
+    use crate::render::render;
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

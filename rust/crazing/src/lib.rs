@@ -5,6 +5,8 @@
 pub mod diagram;
 pub mod error;
 pub mod graph;
+pub mod png;
+pub mod raster;
 pub mod watch;
 
 pub use diagram::{Diagram, DiagramView};
