@@ -1,6 +1,6 @@
 //! Pixels as a PNG, row by row.
 
-use std::io::Write;
+use std::io::{self, Write};
 
 use ::png::{BitDepth, ColorType, Compression, Encoder, EncodingError, SrgbRenderingIntent};
 
@@ -32,6 +32,40 @@ pub struct Image<'a> {
 /// [`Error::BadLength`] or [`Error::BadValue`] for a shape no PNG has, [`Error::Write`] with the reason of the writer
 /// or of a keyword that is not 1 to 79 characters of Latin-1, [`Error::Interrupted`].
 pub fn encode(writer: impl Write, image: Image<'_>, text: &[(String, String)], watch: Watch<'_>) -> Result<()> {
+    let mut writer = Remembering { writer, failure: None };
+    let outcome = stream(&mut writer, image, text, watch);
+    match writer.failure {
+        Some(reason) => Err(Error::Write { reason }),
+        None => outcome,
+    }
+}
+
+/// A writer that stays failed. The stream writer of png 0.18.1 drops the error of its last chunk.
+struct Remembering<W> {
+    writer: W,
+    failure: Option<String>,
+}
+
+impl<W: Write> Write for Remembering<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.failure.is_some() {
+            return Err(io::ErrorKind::BrokenPipe.into());
+        }
+        let outcome = self.writer.write(bytes);
+        if let Err(error) = &outcome
+            && error.kind() != io::ErrorKind::Interrupted
+        {
+            self.failure = Some(error.to_string());
+        }
+        outcome
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.writer.flush()
+    }
+}
+
+fn stream(writer: impl Write, image: Image<'_>, text: &[(String, String)], watch: Watch<'_>) -> Result<()> {
     let row = row_bytes(image)?;
     let mut writer = encoder(writer, image, text)?.write_header().map_err(failed)?;
     let mut stream = writer.stream_writer_with_size(CHUNK).map_err(failed)?;

@@ -20,9 +20,9 @@ pub(super) const SAMPLES: u32 = (GRID * GRID) as u32;
 /// Samples a side of the tile.
 const SIDE: usize = TILE * GRID;
 
-/// Outlines filled in one go: filling is a union, so it may be done in parts, and its cost grows faster than their
-/// number.
-const BATCH: usize = 256;
+/// Outlines filled in one go. Filling is a union, so parts give the whole; tiny-skia's cost a fill is about that of
+/// ten outlines, and its sorting grows faster than their number.
+const BATCH: usize = 16;
 
 /// A tile under work, with its buffers; one a thread.
 pub(super) struct Tile {
