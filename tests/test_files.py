@@ -29,7 +29,8 @@ def read(path):
 
 
 @pytest.mark.parametrize(
-    ("shape", "mode"), [((5, 7), "L"), ((5, 7, 1), "L"), ((5, 7, 2), "LA"), ((300, 1, 3), "RGB"), ((1, 900, 4), "RGBA")]
+    ("shape", "mode"),
+    [((5, 7), "L"), ((5, 7, 1), "L"), ((5, 7, 2), "LA"), ((300, 1, 3), "RGB"), ((1, 900, 4), "RGBA")],
 )
 def test_every_shape_comes_back(tmp_path, shape, mode):
     image = picture(shape)

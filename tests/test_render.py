@@ -20,7 +20,9 @@ CLEAR = cz.Style(ink="#000", ground=None)
 
 
 def graph(vertices, edges):
-    return SimpleNamespace(vertices=np.array(vertices, dtype=float).reshape(-1, 2), edges=np.array(edges, dtype=np.int32))
+    return SimpleNamespace(
+        vertices=np.array(vertices, dtype=float).reshape(-1, 2), edges=np.array(edges, dtype=np.int32)
+    )
 
 
 def crack(vertices, edges, width, bounds):
@@ -73,7 +75,9 @@ def test_y_points_up():
 @pytest.mark.parametrize("threads", [1, 2, 5, None])
 def test_threads_change_nothing(threads):
     net = thicket(4000)
-    np.testing.assert_array_equal(cz.render(net, (600, 800), threads=threads), cz.render(net, (600, 800), threads=1))
+    np.testing.assert_array_equal(
+        cz.render(net, (600, 800), threads=threads), cz.render(net, (600, 800), threads=1)
+    )
 
 
 def test_a_graph_is_drawn_at_a_pixel_and_a_half():
@@ -150,8 +154,12 @@ def test_bad_styles(style, error):
         ({"crack_or_graph": graph([[0, 0]], [[0, -1]])}, ValueError, r"edges\[0\] is -1"),
         ({"crack_or_graph": SimpleNamespace(vertices=[[0, 0]], edges=[[0.5, 0]])}, ValueError, "integers"),
         ({"crack_or_graph": SimpleNamespace(vertices=[[0, 0]], edges=[[2**40, 0]])}, ValueError, "32 bits"),
-        ({"crack_or_graph": graph([[np.nan, 0]], [[0, 0]])}, ValueError, r"vertices\[0\] holds nan"),
-        ({"crack_or_graph": crack([[0, 0]], [[0, 0]], [[1, -1]], (0, 0, 1, 1))}, ValueError, r"widths\[0\] holds -1"),
+        ({"crack_or_graph": graph([[np.nan, 0]], [[0, 0]])}, ValueError, r"vertices\[0\] holds NaN"),
+        (
+            {"crack_or_graph": crack([[0, 0]], [[0, 0]], [[1, -1]], (0, 0, 1, 1))},
+            ValueError,
+            r"widths\[0\] holds -1",
+        ),
         ({"crack_or_graph": crack([[0, 0]], [[0, 0]], [1, 1], (0, 0, 1, 1))}, ValueError, "one row an edge"),
     ],
 )

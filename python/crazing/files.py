@@ -149,7 +149,9 @@ def _text(text: Mapping[str, str] | None) -> list[tuple[str, str]]:
         if not (isinstance(keyword, str) and isinstance(words, str)):
             raise TypeError(f"text holds {keyword!r}: {words!r}; strings are wanted")
         if not _is_keyword(keyword):
-            raise ValueError(f"text keyword {keyword!r} is not 1 to {_TEXT_LIMIT} printable Latin-1 characters")
+            raise ValueError(
+                f"text keyword {keyword!r} is not 1 to {_TEXT_LIMIT} printable Latin-1 characters"
+            )
         if "\0" in words:
             raise ValueError(f"text of {keyword!r} holds a NUL character")
     return list(pairs.items())
@@ -158,4 +160,9 @@ def _text(text: Mapping[str, str] | None) -> list[tuple[str, str]]:
 def _is_keyword(keyword: str) -> bool:
     """Whether a PNG may hold the keyword: printable Latin-1, single spaces, none at the ends."""
     is_latin = all(" " <= letter <= "~" or "\xa1" <= letter <= "\xff" for letter in keyword)
-    return is_latin and 0 < len(keyword) <= _TEXT_LIMIT and keyword == " ".join(keyword.split(" ")).strip() and "  " not in keyword
+    return (
+        is_latin
+        and 0 < len(keyword) <= _TEXT_LIMIT
+        and keyword == " ".join(keyword.split(" ")).strip()
+        and "  " not in keyword
+    )

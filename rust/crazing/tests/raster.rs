@@ -172,6 +172,13 @@ fn hairlines_stay_with_a_least_width() -> Result<()> {
 }
 
 #[test]
+fn the_thinnest_lines_do_not_break() -> Result<()> {
+    let seen = one([[2.0, 20.3], [250.0, 29.9]], [0.01, 0.01]).draw(&pixels(64, 256), &BLACK, 1)?;
+    assert!((4..248).all(|column| (0..64).any(|row| seen[4 * (256 * row + column)] < 255)));
+    Ok(())
+}
+
+#[test]
 fn a_wide_picture_keeps_its_bounds_whole_and_centred() -> Result<()> {
     let frame = Frame { bounds: [0.0, 0.0, 1.0, 1.0], height: 10, width: 30 };
     let out = one([[0.5, 0.5], [0.5, 0.5]], [0.4, 0.4]).draw(&frame, &BLACK, 1)?;

@@ -39,7 +39,8 @@ pub struct Edges<'a> {
 pub struct Style {
     /// Ink over ground.
     pub colors: Colors,
-    /// No end is drawn thinner than this, in pixels; 0 = as thin as it is.
+    /// No end is drawn thinner than this, in pixels. At 0, edges without any width are left out, and others are
+    /// at least 1/8 pixel wide: faint but unbroken.
     pub min_width: f64,
 }
 

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::Edges;
 use super::frame::Mapping;
+use super::tile::THINNEST;
 use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::watch::Watch;
@@ -34,8 +35,9 @@ pub(super) fn tapers(edges: Edges<'_>, mapping: &Mapping, min_width: f64, watch:
         watch.poll_at(row)?;
         let places = edge.map(|vertex| edges.vertices[vertex as usize]);
         check(row, *edge, &places, widths)?;
-        let radii = widths.map(|width| mapping.length(width).max(min_width) / 2.0);
-        if radii != [0.0; 2] {
+        let widths = widths.map(|width| mapping.length(width).max(min_width));
+        if widths != [0.0; 2] {
+            let radii = widths.map(|width| width.max(THINNEST) / 2.0);
             tapers.push(Taper { ends: places.map(|place| mapping.place(place)), radii });
         }
     }

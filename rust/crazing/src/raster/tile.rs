@@ -17,6 +17,9 @@ const GRID: usize = 8;
 /// Samples a pixel.
 pub(super) const SAMPLES: u32 = (GRID * GRID) as u32;
 
+/// Pixels from sample to sample: a line thinner than this would break into dashes.
+pub(super) const THINNEST: f64 = 1.0 / GRID as f64;
+
 /// Samples a side of the tile.
 const SIDE: usize = TILE * GRID;
 
