@@ -94,7 +94,7 @@ fn encoder<W: Write>(writer: W, image: Image<'_>, text: &[(String, String)]) -> 
     let mut encoder = Encoder::new(writer, image.width as u32, image.height as u32);
     encoder.set_color(color_type(image.channels)?);
     encoder.set_depth(BitDepth::Eight);
-    encoder.set_compression(Compression::Fast);
+    encoder.set_compression(Compression::Fastest);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     for (keyword, words) in text {
         let (keyword, words) = (keyword.clone(), words.clone());
