@@ -6,8 +6,10 @@ from crazing.compare import Comparison, compare
 from crazing.crack import Crack, crack
 from crazing.diagram import Diagram, QuadEdge, diagram
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
+from crazing.files import save_png
 from crazing.graph import PlanarGraph
 from crazing.maze import Maze, maze
+from crazing.render import Style, render
 from crazing.skeleton import Skeleton, crust, medial_axis
 from crazing.versions import algorithm_version, show_versions
 
@@ -22,6 +24,7 @@ __all__ = [
     "PlanarGraph",
     "QuadEdge",
     "Skeleton",
+    "Style",
     "__version__",
     "algorithm_version",
     "compare",
@@ -30,6 +33,8 @@ __all__ = [
     "diagram",
     "maze",
     "medial_axis",
+    "render",
     "sample",
+    "save_png",
     "show_versions",
 ]

@@ -1,6 +1,6 @@
 """The compiled module, as mypy sees it; `mypy.stubtest` holds it to the truth."""
 
-from typing import TypeAlias
+from typing import BinaryIO, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,3 +40,15 @@ def graph_degrees(count: int, edges: _Ints) -> _Ints: ...
 def graph_components(count: int, edges: _Ints) -> tuple[_Ints, int]: ...
 def graph_polylines(count: int, edges: _Ints) -> tuple[_Ints, NDArray[np.int64]]: ...
 def graph_compact(vertices: _Floats, edges: _Ints) -> tuple[_Floats, _Ints]: ...
+def render(
+    vertices: _Floats,
+    edges: _Ints,
+    widths: _Floats,
+    bounds: _Bounds,
+    ink: tuple[int, int, int, int],
+    ground: tuple[int, int, int, int],
+    min_width: float,
+    threads: int,
+    out: NDArray[np.uint8],
+) -> None: ...
+def encode_png(file: BinaryIO, image: NDArray[np.uint8], text: list[tuple[str, str]]) -> None: ...

@@ -8,6 +8,8 @@ mod diagram;
 mod graph;
 mod guard;
 mod maze;
+mod png;
+mod render;
 mod sample;
 mod skeleton;
 
@@ -27,6 +29,10 @@ mod _core {
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]
     use crate::maze::{carve, solve};
+    #[pymodule_export]
+    use crate::png::encode_png;
+    #[pymodule_export]
+    use crate::render::render;
     #[pymodule_export]
     use crate::sample::{sample_laplace, sample_normal, sample_uniform};
     #[pymodule_export]

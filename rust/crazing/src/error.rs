@@ -83,6 +83,18 @@ pub enum Error {
         /// What is wanted.
         wanted: &'static str,
     },
+    /// An entry of an array that is outside its allowed range.
+    #[error("{array}[{row}] holds {value}; {wanted}")]
+    BadEntry {
+        /// Which array.
+        array: &'static str,
+        /// Which row.
+        row: usize,
+        /// What was found.
+        value: f64,
+        /// What is wanted.
+        wanted: &'static str,
+    },
     /// A result that would not fit into memory.
     #[error("{what} would take {bytes} bytes of memory, which could not be had")]
     OutOfMemory {

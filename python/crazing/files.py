@@ -1,0 +1,168 @@
+"""Files that are whole or not there, and pictures in them."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from crazing import _core
+
+_TEXT_LIMIT = 79
+"""Characters of a keyword, PNG specification, section 11.3.3.1."""
+
+
+@contextlib.contextmanager
+def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
+    """Open a binary file beside `path` that takes its place when the block ends well.
+
+    A reader, a crash or a full disk sees the old file or the new one, never a part: the bytes are written to
+    ``.tmp-*`` in the same folder, flushed to the disk, renamed, and the folder is flushed. When the block raises,
+    nothing is left and `path` is as it was. A killed process leaves at most the ``.tmp-*`` file. An existing file
+    keeps its permissions; a link is followed.
+
+    Raises
+    ------
+    OSError
+        When the folder is not there or cannot be written.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from crazing.files import atomic_write
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder, "note")
+    ...     with atomic_write(path) as file:
+    ...         _ = file.write(b"whole")
+    ...     path.read_bytes()
+    b'whole'
+    """
+    target = Path(os.path.realpath(path))
+    number, name = tempfile.mkstemp(prefix=".tmp-", dir=target.parent)
+    try:
+        with open(number, "wb") as file:
+            os.chmod(name, _mode(target))
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(name, target)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(name)
+        raise
+    _flush_folder(target.parent)
+
+
+def _mode(target: Path) -> int:
+    """Permissions of the file that is there, or those that a new file would get."""
+    try:
+        return target.stat().st_mode & 0o7777
+    except OSError:
+        # The mask can only be read by setting it.
+        mask = os.umask(0o077)
+        os.umask(mask)
+        return 0o666 & ~mask
+
+
+def _flush_folder(folder: Path) -> None:
+    """Make a rename last; some systems cannot open a folder, and their renames need no flush."""
+    with contextlib.suppress(OSError):
+        number = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(number)
+        finally:
+            os.close(number)
+
+
+def save_png(
+    path: str | os.PathLike[str] | BinaryIO,
+    image: ArrayLike,
+    *,
+    text: Mapping[str, str] | None = None,
+) -> None:
+    """Write a picture as an 8-bit PNG.
+
+    Parameters
+    ----------
+    path
+        Where to; written beside it and renamed into place, see `atomic_write`. Or a file open for binary writing.
+    image
+        (H, W) or (H, W, C) uint8, C = 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA; sRGB, straight alpha, row 0 on top.
+        Booleans become 0 and 255.
+    text
+        Keywords and texts to store in the file. ``Software`` is added.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For an image of another dtype or shape, or a text that a PNG cannot hold.
+    OSError
+        When the file cannot be written. An exception of a file object's ``write`` comes out as it is.
+
+    Examples
+    --------
+    >>> import io
+    >>> import numpy as np
+    >>> from crazing.files import save_png
+    >>> file = io.BytesIO()
+    >>> save_png(file, np.eye(8, dtype=bool), text={"Title": "diagonal"})
+    >>> file.getvalue()[:4]
+    b'\\x89PNG'
+    """
+    pixels = _pixels(image)
+    pairs = _text(text)
+    if isinstance(path, (str, os.PathLike)):
+        with atomic_write(path) as file:
+            _core.encode_png(file, pixels, pairs)
+    elif hasattr(path, "write"):
+        _core.encode_png(path, pixels, pairs)
+    else:
+        raise TypeError(f"path is {type(path).__name__}; a path or an open binary file is wanted")
+
+
+def _pixels(image: ArrayLike) -> NDArray[np.uint8]:
+    """`image` as a C-contiguous (H, W, C) uint8 array."""
+    array = np.asarray(image)
+    if array.dtype == np.bool_:
+        array = array.astype(np.uint8) * np.uint8(255)
+    if array.dtype != np.uint8:
+        raise TypeError(
+            f"image has dtype {array.dtype}; uint8 is wanted: for values from 0 to 1, "
+            "pass np.round(image * 255).astype(np.uint8)"
+        )
+    shape = array.shape if array.ndim == 3 else (*array.shape, 1)
+    if len(shape) != 3 or shape[2] not in (1, 2, 3, 4) or 0 in shape:
+        raise ValueError(f"image has shape {array.shape}; (H, W) or (H, W, 1 to 4), not empty, is wanted")
+    return np.ascontiguousarray(array.reshape(shape))
+
+
+def _text(text: Mapping[str, str] | None) -> list[tuple[str, str]]:
+    pairs: dict[Any, Any] = {**(text or {}), "Software": f"crazing {_core.__version__}"}
+    for keyword, words in pairs.items():
+        if not (isinstance(keyword, str) and isinstance(words, str)):
+            raise TypeError(f"text holds {keyword!r}: {words!r}; strings are wanted")
+        if not _is_keyword(keyword):
+            raise ValueError(
+                f"text keyword {keyword!r} is not 1 to {_TEXT_LIMIT} printable Latin-1 characters"
+            )
+        if "\0" in words:
+            raise ValueError(f"text of {keyword!r} holds a NUL character")
+    return list(pairs.items())
+
+
+def _is_keyword(keyword: str) -> bool:
+    """Whether a PNG may hold the keyword: printable Latin-1, single spaces, none at the ends."""
+    is_latin = all(" " <= letter <= "~" or "\xa1" <= letter <= "\xff" for letter in keyword)
+    return (
+        is_latin
+        and 0 < len(keyword) <= _TEXT_LIMIT
+        and keyword == " ".join(keyword.split(" ")).strip()
+        and "  " not in keyword
+    )
