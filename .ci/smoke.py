@@ -33,9 +33,7 @@ except ImportError as error:
     hint = str(error)
 assert "crazing[plot]" in hint, hint
 
-compare = subprocess.run(
-    ["crazing", "compare", "crack.png", "-o", "figure.png"], capture_output=True, text=True
-)
+compare = subprocess.run(["crazing", "compare", "crack.png", "-o", "figure.png"], capture_output=True, text=True)
 assert compare.returncode, "compare needs extras that are not here"
 assert "crazing[" in compare.stderr, compare.stderr
 assert "Traceback" not in compare.stderr, compare.stderr

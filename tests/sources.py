@@ -17,9 +17,7 @@ def rust_files(folder: Path) -> list[Path]:
 def rust_code(path: Path) -> str:
     """The code of a file without comments and the insides of literals, line for line."""
     pattern = r'//[^\n]*|/\*.*?\*/|r#".*?"#|"(?:\\.|[^"\\])*"|' + r"'(?:\\.|[^'\\])'"
-    return re.sub(
-        pattern, lambda hit: "\n" * hit[0].count("\n"), path.read_text(encoding="utf-8"), flags=re.DOTALL
-    )
+    return re.sub(pattern, lambda hit: "\n" * hit[0].count("\n"), path.read_text(encoding="utf-8"), flags=re.DOTALL)
 
 
 def imports(path: Path) -> Iterator[str]:

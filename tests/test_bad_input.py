@@ -175,9 +175,7 @@ PLACES: dict[str, np.ndarray] = {
     "subnormal": grid * 5e-324,
     "tiny": grid * 2.0**-900,
     "far away": grid + 2.0**40,
-    "mixed magnitudes": np.array(
-        [[0, 0], [1e300, 0], [0, 1e-300], [1e-320, 1.0], [1.0, 1e20], [-1e200, -1e-200]]
-    ),
+    "mixed magnitudes": np.array([[0, 0], [1e300, 0], [0, 1e-300], [1e-320, 1.0], [1.0, 1e20], [-1e200, -1e-200]]),
     "one far site": np.vstack([grid, [[1e300, 1e300]]]),
     "nearly on a line": np.column_stack([np.arange(20.0), np.arange(20) % 2 * 5e-324]),
 }

@@ -64,9 +64,7 @@ def test_same_lines_as_scikit_image(seed, level) -> None:
         flipped = np.column_stack([line[:, 1] + 0.5, len(image) - line[:, 0] - 0.5])
         closed = bool((line[0] == line[-1]).all())
         theirs.append((closed, frozenset(as_set(flipped[:-1] if closed else flipped))))
-    mine = [
-        (bool(closed), frozenset(as_set(line))) for line, closed in zip(ours.lines, ours.closed, strict=True)
-    ]
+    mine = [(bool(closed), frozenset(as_set(line))) for line, closed in zip(ours.lines, ours.closed, strict=True)]
     assert len(mine) == len(theirs) and set(mine) == set(theirs)
 
 
@@ -165,9 +163,7 @@ def test_any_small_image(image) -> None:
     assert (points >= 0.5).all() and (points <= (width - 0.5, height - 0.5)).all()
     for line, closed in zip(found.lines, found.closed, strict=True):
         assert len(line) >= 2 and steps(line, closed=closed).min() > 0
-    expected = [
-        steps(line, closed=closed).sum() for line, closed in zip(found.lines, found.closed, strict=True)
-    ]
+    expected = [steps(line, closed=closed).sum() for line, closed in zip(found.lines, found.closed, strict=True)]
     np.testing.assert_allclose(found.length, expected)
 
 

@@ -68,9 +68,7 @@ def test_summary_is_one_sentence(name: str) -> None:
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_parameters_equal_the_signature(name: str) -> None:
     wanted = [
-        parameter
-        for parameter in inspect.signature(FUNCTIONS[name]).parameters
-        if parameter not in ("self", "cls")
+        parameter for parameter in inspect.signature(FUNCTIONS[name]).parameters if parameter not in ("self", "cls")
     ]
     assert described(sections(FUNCTIONS[name]).get("Parameters", "")) == wanted, name
 
@@ -95,9 +93,7 @@ def test_records_describe_every_field(name: str) -> None:
 
 
 MODULES = [
-    module.name
-    for module in pkgutil.walk_packages(cz.__path__, "crazing.")
-    if not module.name.endswith("__main__")
+    module.name for module in pkgutil.walk_packages(cz.__path__, "crazing.") if not module.name.endswith("__main__")
 ]
 
 
@@ -106,9 +102,7 @@ def test_examples_run(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     monkeypatch.chdir(tmp_path)
     flags = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
     with np.printoptions(precision=8, suppress=False, linewidth=75):
-        result = doctest.testmod(
-            importlib.import_module(name), optionflags=flags, extraglobs={"cz": cz, "np": np}
-        )
+        result = doctest.testmod(importlib.import_module(name), optionflags=flags, extraglobs={"cz": cz, "np": np})
     assert result.failed == 0
 
 

@@ -88,9 +88,7 @@ def test_python_imports_run_down(root: Path) -> None:
 def test_nobody_outside_names_the_private_module(root: Path, folder: str) -> None:
     for path in sorted((root / folder).rglob("*.py")):
         assert not [name for name in imports(path) if name.startswith("crazing._")], path
-        names = {
-            node.attr for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Attribute)
-        }
+        names = {node.attr for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Attribute)}
         assert "_core" not in names, path
 
 

@@ -53,9 +53,7 @@ def test_degrees_and_leaves_are_those_of_networkx(graph: cz.PlanarGraph) -> None
 @given(graphs())
 def test_components_are_those_of_scipy(graph: cz.PlanarGraph) -> None:
     count, ends = len(graph.vertices), graph.edges
-    _, peer = connected_components(
-        coo_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(count, count))
-    )
+    _, peer = connected_components(coo_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(count, count)))
     used = graph.degrees > 0
     assert ((graph.labels >= 0) == used).all()
     assert graph.components == len(np.unique(peer[used]))

@@ -55,9 +55,7 @@ def test_one_bit_is_bool(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("channels", [3, 4])
-@pytest.mark.parametrize(
-    ("ending", "options"), [("png", {}), ("tif", {}), ("webp", {"lossless": True, "exact": True})]
-)
+@pytest.mark.parametrize(("ending", "options"), [("png", {}), ("tif", {}), ("webp", {"lossless": True, "exact": True})])
 def test_colour(tmp_path, channels, ending, options) -> None:
     pixels = read_image(saved(tmp_path, COLOUR[..., :channels], f"picture.{ending}", **options))
     np.testing.assert_array_equal(pixels, COLOUR[..., :channels])
@@ -99,17 +97,10 @@ def png_header(width: int, height: int) -> bytes:
     """A PNG that claims a size and holds almost nothing."""
 
     def chunk(kind: bytes, content: bytes) -> bytes:
-        return (
-            struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
-        )
+        return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
 
     head = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
-    return (
-        b"\x89PNG\r\n\x1a\n"
-        + chunk(b"IHDR", head)
-        + chunk(b"IDAT", zlib.compress(b"\0"))
-        + chunk(b"IEND", b"")
-    )
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(b"\0")) + chunk(b"IEND", b"")
 
 
 def test_bombs_are_refused_by_their_header(tmp_path) -> None:
@@ -134,7 +125,7 @@ def test_pictures_beyond_pillows_own_limit_are_read(tmp_path, name, options) -> 
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert read_image(tmp_path / name).shape == (14_000, 14_000)
-    assert Image.MAX_IMAGE_PIXELS == limit
+    assert limit == Image.MAX_IMAGE_PIXELS
 
 
 def test_pillows_limit_returns_after_many_readers_at_once(tmp_path) -> None:
@@ -151,7 +142,7 @@ def test_pillows_limit_returns_after_many_readers_at_once(tmp_path) -> None:
 
     with ThreadPoolExecutor(8) as pool:
         assert sum(pool.map(read, [good, bad] * 100)) == 100
-    assert Image.MAX_IMAGE_PIXELS == limit
+    assert limit == Image.MAX_IMAGE_PIXELS
 
 
 def test_errors_of_the_system_stay(tmp_path) -> None:

@@ -75,9 +75,7 @@ def test_y_points_up():
 @pytest.mark.parametrize("threads", [1, 2, 5, None])
 def test_threads_change_nothing(threads):
     net = thicket(4000)
-    np.testing.assert_array_equal(
-        cz.render(net, (600, 800), threads=threads), cz.render(net, (600, 800), threads=1)
-    )
+    np.testing.assert_array_equal(cz.render(net, (600, 800), threads=threads), cz.render(net, (600, 800), threads=1))
 
 
 def test_a_graph_is_drawn_at_a_pixel_and_a_half():

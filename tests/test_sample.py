@@ -25,9 +25,7 @@ def philox_words(key: tuple[int, int], index: int, stream: int) -> list[int]:
     """Words 0 and 1 of a block, by NumPy, which counts up once before its first block."""
     before = index + (stream << 128) - 1
     counter = np.array([(before >> (64 * i)) & (2**64 - 1) for i in range(4)], dtype=np.uint64)
-    return [
-        int(word) for word in np.random.Philox(counter=counter, key=np.array(key, np.uint64)).random_raw(2)
-    ]
+    return [int(word) for word in np.random.Philox(counter=counter, key=np.array(key, np.uint64)).random_raw(2)]
 
 
 def test_uniform_is_numpy_philox_block_by_block() -> None:
@@ -52,9 +50,7 @@ def test_law(sampler, law, mean, variance, seed) -> None:
 def test_quantiles_against_scipy() -> None:
     p = cz.sample.uniform(100_000, rng=3)
     np.testing.assert_allclose(cz.sample.normal(100_000, rng=3), special.ndtri(p), rtol=4e-15, atol=1e-16)
-    np.testing.assert_allclose(
-        cz.sample.laplace(100_000, rng=3), stats.laplace.ppf(p), rtol=4e-15, atol=1e-15
-    )
+    np.testing.assert_allclose(cz.sample.laplace(100_000, rng=3), stats.laplace.ppf(p), rtol=4e-15, atol=1e-15)
 
 
 FROZEN = {
@@ -124,9 +120,7 @@ def test_refusals(arguments, error, words) -> None:
             sampler(**arguments)
 
 
-@pytest.mark.parametrize(
-    "bounds", [(0, 0, 0, 1), (0, 0, 1), (0, 0, 1, np.inf), (-1e308, 0, 1e308, 1), 5, "abcd"]
-)
+@pytest.mark.parametrize("bounds", [(0, 0, 0, 1), (0, 0, 1), (0, 0, 1, np.inf), (-1e308, 0, 1e308, 1), 5, "abcd"])
 def test_bad_bounds(bounds) -> None:
     with pytest.raises((TypeError, ValueError), match="bounds"):
         cz.sample.uniform(1, bounds=bounds)

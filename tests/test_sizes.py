@@ -23,9 +23,7 @@ def all_sources(root: Path) -> list[Path]:
 
 
 def test_module_names_say_what_is_in_them(root: Path) -> None:
-    assert [
-        path for path in all_sources(root) if BANNED & set(path.stem.removeprefix("test_").split("_"))
-    ] == []
+    assert [path for path in all_sources(root) if BANNED & set(path.stem.removeprefix("test_").split("_"))] == []
 
 
 def docstring_lines(node: ast.AST) -> int:

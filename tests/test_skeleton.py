@@ -113,5 +113,9 @@ def test_quarter_turns_scales_and_offsets_change_nothing() -> None:
     points = np.round(cz.sample.uniform(300, rng=8) * 2**20)
     crust = cz.crust(points, method="one-step")
     turned = cz.crust(np.column_stack([-points[:, 1], points[:, 0]]), method="one-step")
-    for other in (turned, cz.crust(points * 2.0**-300, method="one-step"), cz.crust(points + 2.0**40, method="one-step")):
+    for other in (
+        turned,
+        cz.crust(points * 2.0**-300, method="one-step"),
+        cz.crust(points + 2.0**40, method="one-step"),
+    ):
         assert pairs(other.edges) == pairs(crust.edges)

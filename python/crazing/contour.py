@@ -118,9 +118,9 @@ def contours(image: ArrayLike, level: float | Sequence[float] = 0.5) -> Contours
     ImportError
         If contourpy, of the extra `image`, is not installed.
 
-    Source
-    ------
-    Thesis, section 6 (contours of a leaf at one height and at several).
+    Notes
+    -----
+    Source: thesis, section 6 (contours of a leaf at one height and at several).
 
     Examples
     --------

@@ -74,7 +74,7 @@ def crack(
         The share of the maze's passages that are really opened: 1 is the thesis (cracks are trees), 0 leaves every
         plate closed all round. Paint and glaze measure .6 to .85.
     width : float, optional
-        Width of the longest crack, data units. By default a twelfth of the mean distance between points.
+        Width of the longest crack, data units. By default an eighth of the median distance between neighbouring points.
     hierarchy : float, optional
         Width grows with this power of the length of a crack: 0 makes all alike, .5 is what real cracks show.
     taper : float, optional
@@ -121,13 +121,14 @@ def crack(
     box = bounds_of(diagram, bounds)
     width = _default_width(diagram) if width is None else number(width, "width", low=0)
     open_doors = maze(diagram, opening=opening, bounds=box, rng=seed).open
-    vertices, edges, *rest = _core.crack(diagram.arrays, open_doors, box, width, hierarchy, taper)
-    return Crack(PlanarGraph(vertices, edges), *rest, box)
+    found = _core.crack(diagram.arrays, open_doors, box, width, hierarchy, taper)
+    vertices, edges, widths, strand, generation = found
+    return Crack(PlanarGraph(vertices, edges), widths, strand, generation, box)
 
 
 def _default_width(diagram: Diagram) -> float:
-    """A twelfth of the median length of the Delaunay edges: the mean would follow far outliers."""
+    """An eighth of the median length of the Delaunay edges: the mean would follow far outliers."""
     if not len(diagram.edges):
         return 0.0
     ends = diagram.sites[diagram.edges]
-    return float(np.median(np.hypot(*(ends[:, 1] - ends[:, 0]).T))) / 12
+    return float(np.median(np.hypot(*(ends[:, 1] - ends[:, 0]).T))) / 8

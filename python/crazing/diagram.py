@@ -19,8 +19,8 @@ from crazing.record import Record
 class Diagram(Record):
     """A Delaunay triangulation and its Voronoi dual: edge `k` is one thing with two faces.
 
-    Row `k` of `edges` and row `k` of `dual_edges` are the same edge and its dual, Voronoi vertex `i` is triangle `i`, cell
-    `i` is site `i`. Made by :func:`crazing.diagram`.
+    Row `k` of `edges` and row `k` of `dual_edges` are the same edge and its dual, Voronoi vertex `i` is triangle `i`,
+    cell `i` is site `i`. Made by :func:`crazing.diagram`.
 
     Attributes
     ----------
@@ -148,24 +148,69 @@ class QuadEdge(Record):
         return np.arange(len(self.links), dtype=np.int32)
 
     def rot(self, q: ArrayLike) -> NDArray[np.int32]:
-        """The dual, from the right to the left."""
+        """The dual, from the right to the left.
+
+        Parameters
+        ----------
+        q : array_like of int
+            Quarter-edges.
+
+        Returns
+        -------
+        ndarray of int32
+            Quarter-edges.
+        """
         q = quarters(q, self.links)
         return (q & ~3) | ((q + 1) & 3)
 
     def sym(self, q: ArrayLike) -> NDArray[np.int32]:
-        """The same edge the other way."""
+        """The same edge the other way.
+
+        Parameters
+        ----------
+        q : array_like of int
+            Quarter-edges.
+
+        Returns
+        -------
+        ndarray of int32
+            Quarter-edges.
+        """
         return quarters(q, self.links) ^ 2
 
     def onext(self, q: ArrayLike) -> NDArray[np.int32]:
-        """The next quarter-edge counter-clockwise about the same origin."""
-        return self.links[quarters(q, self.links)]
+        """The next quarter-edge counter-clockwise about the same origin.
+
+        Parameters
+        ----------
+        q : array_like of int
+            Quarter-edges.
+
+        Returns
+        -------
+        ndarray of int32
+            Quarter-edges.
+        """
+        found: NDArray[np.int32] = self.links[quarters(q, self.links)]
+        return found
 
     def origin(self, q: ArrayLike) -> NDArray[np.int32]:
-        """Where it starts: a site when `q` is even, a Voronoi vertex (or -1, infinity) when it is odd."""
+        """Where it starts.
+
+        Parameters
+        ----------
+        q : array_like of int
+            Quarter-edges.
+
+        Returns
+        -------
+        ndarray of int32
+            Sites where `q` is even, Voronoi vertices (or -1, infinity) where it is odd.
+        """
         q = quarters(q, self.links)
         k, r = q >> 2, q & 3
-        primal = self.diagram.edges[k, r >> 1]
-        return np.where(r & 1, self.diagram.dual_edges[k, r >> 1], primal).astype(np.int32)
+        dual: NDArray[np.int32] = self.diagram.dual_edges[k, r >> 1]
+        return np.where(r & 1, dual, self.diagram.edges[k, r >> 1])
 
     def __repr__(self) -> str:
         return f"QuadEdge({len(self.links)} quarter-edges)"
@@ -176,9 +221,9 @@ def quarters(q: ArrayLike, links: NDArray[np.int32]) -> NDArray[np.int32]:
     array = np.asarray(q)
     if array.dtype.kind not in "iu" and array.size:
         raise TypeError(f"quarter-edges have dtype {array.dtype}; integers are wanted")
-    if array.size and not (0 <= array.min() and array.max() < len(links)):
+    if array.size and not (array.min() >= 0 and array.max() < len(links)):
         raise ValueError(f"a quarter-edge is {array.min()} or {array.max()}; 0 to {len(links) - 1} are wanted")
-    return array.astype(np.int32)
+    return np.asarray(array, dtype=np.int32)
 
 
 def diagram(points: ArrayLike) -> Diagram:
@@ -232,7 +277,7 @@ def bounds_of(diagram: Diagram, bounds: ArrayLike | None) -> tuple[float, float,
         return bounds_tuple(bounds)
     if not len(diagram.sites):
         return 0.0, 0.0, 1.0, 1.0
-    low, high = diagram.sites.min(axis=0), diagram.sites.max(axis=0)
-    # Halves first: the box of coordinates near the largest float is as wide as no float.
-    margin = 0.2 * (high / 2 - low / 2).max() or max(1.0, float(np.abs(high).max())) * 0.1
-    return bounds_tuple((*np.maximum(low - margin, -8e307), *np.minimum(high + margin, 8e307)))
+    # Kept where a width is still a float.
+    low, high = (end(axis=0).clip(-4e307, 4e307) for end in (diagram.sites.min, diagram.sites.max))
+    margin = 0.1 * ((high - low).max() or max(1.0, float(np.abs(high).max())))
+    return bounds_tuple((*(low - margin), *(high + margin)))

@@ -20,9 +20,7 @@ if TYPE_CHECKING:
     from crazing.graph import PlanarGraph
 
 # Control characters, lone surrogates and two more that XML 1.0 has no way to write (section 2.2).
-_NOT_XML = {
-    code: "\ufffd" for code in (*range(32), *range(0xD800, 0xE000), 0xFFFE, 0xFFFF) if code not in (9, 10, 13)
-}
+_NOT_XML = {code: "\ufffd" for code in (*range(32), *range(0xD800, 0xE000), 0xFFFE, 0xFFFF) if code not in (9, 10, 13)}
 
 #: Half the side of the largest drawing: the box around it and its margin must be floats too.
 _FARTHEST = 1e300
@@ -38,9 +36,7 @@ def save(graph: PlanarGraph, path: str | os.PathLike[str]) -> None:
         file.write(content)
 
 
-def svg(
-    graph: PlanarGraph, *, title: str | None = None, stroke: str = "black", width: float | None = None
-) -> str:
+def svg(graph: PlanarGraph, *, title: str | None = None, stroke: str = "black", width: float | None = None) -> str:
     """The polylines as an SVG picture; see `PlanarGraph.to_svg`."""
     left, low, right, high = _extent(graph)
     across = max(right - left, high - low) or 1.0
@@ -120,15 +116,11 @@ def _extent(graph: PlanarGraph) -> tuple[float, float, float, float]:
     if bad.any():
         row = int(used[np.argmax(bad)])
         x, y = graph.vertices[row].tolist()
-        raise ValueError(
-            f"vertices[{row}] is ({x}, {y}); every coordinate of a drawing to be saved must be finite"
-        )
+        raise ValueError(f"vertices[{row}] is ({x}, {y}); every coordinate of a drawing to be saved must be finite")
     left, low = points.min(axis=0).tolist()
     right, high = points.max(axis=0).tolist()
     if max(right / 2 - left / 2, high / 2 - low / 2) > _FARTHEST:
-        raise ValueError(
-            f"the drawing reaches from ({left}, {low}) to ({right}, {high}), too far to be saved"
-        )
+        raise ValueError(f"the drawing reaches from ({left}, {low}) to ({right}, {high}), too far to be saved")
     return left, low, right, high
 
 

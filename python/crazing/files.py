@@ -87,7 +87,7 @@ def save_png(
     *,
     text: Mapping[str, str] | None = None,
 ) -> None:
-    """Write a picture as an 8-bit PNG.
+    r"""Write a picture as an 8-bit PNG.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def save_png(
     >>> file = io.BytesIO()
     >>> save_png(file, np.eye(8, dtype=bool), text={"Title": "diagonal"})
     >>> file.getvalue()[:4]
-    b'\\x89PNG'
+    b'\x89PNG'
     """
     pixels = _pixels(image)
     pairs = _text(text)
@@ -149,9 +149,7 @@ def _text(text: Mapping[str, str] | None) -> list[tuple[str, str]]:
         if not (isinstance(keyword, str) and isinstance(words, str)):
             raise TypeError(f"text holds {keyword!r}: {words!r}; strings are wanted")
         if not _is_keyword(keyword):
-            raise ValueError(
-                f"text keyword {keyword!r} is not 1 to {_TEXT_LIMIT} printable Latin-1 characters"
-            )
+            raise ValueError(f"text keyword {keyword!r} is not 1 to {_TEXT_LIMIT} printable Latin-1 characters")
         if "\0" in words:
             raise ValueError(f"text of {keyword!r} holds a NUL character")
     return list(pairs.items())

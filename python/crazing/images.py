@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -64,7 +65,7 @@ def read_image(path: str | os.PathLike[str]) -> NDArray[Any]:
            [7, 7, 7]], dtype=uint8)
     """
     library = require("PIL.Image", "image")
-    with open(path, "rb") as stream, _our_limit:
+    with Path(path).open("rb") as stream, _our_limit:
         try:
             with library.open(stream, formats=_FORMATS) as picture:
                 _check_size(picture.size, path)

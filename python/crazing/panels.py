@@ -34,9 +34,7 @@ def draw(comparison: Comparison, axes: Sequence[Axes] | NDArray[np.object_] | No
         raise ValueError(f"axes has shape {panels.shape}; three axes are wanted")
     view = _view(comparison.first.diagram.sites)
     pen = _pen(len(comparison.first.diagram.sites))
-    for ax, skeleton, color in zip(
-        panels, (comparison.first, comparison.second), (FIRST, SECOND), strict=False
-    ):
+    for ax, skeleton, color in zip(panels, (comparison.first, comparison.second), (FIRST, SECOND), strict=False):
         _samples(ax, comparison, SAMPLE)
         _lines(ax, skeleton.crust, view, color=CRUST, linewidth=pen, label="crust")
         _lines(ax, skeleton.axis, view, color=color, linewidth=pen, label="axis")

@@ -145,15 +145,11 @@ def render(
         raise TypeError(f"style is {type(style).__name__}; a crazing.Style is wanted")
     height, width = arguments.size_pair(size)
     if height * width > MAX_PIXELS:
-        raise ValueError(
-            f"size is {height} x {width}, {height * width} pixels; at most {MAX_PIXELS} are supported"
-        )
+        raise ValueError(f"size is {height} x {width}, {height * width} pixels; at most {MAX_PIXELS} are supported")
     workers = arguments.thread_count(threads)
     vertices, edges = _edges(getattr(crack_or_graph, "graph", crack_or_graph))
     box = _bounds(crack_or_graph, vertices, edges, bounds)
-    widths = _widths(
-        crack_or_graph, len(edges), style, min(width / (box[2] - box[0]), height / (box[3] - box[1]))
-    )
+    widths = _widths(crack_or_graph, len(edges), style, min(width / (box[2] - box[0]), height / (box[3] - box[1])))
     picture = np.empty((height, width, 4), dtype=np.uint8)
     colors = _rgba(style.ink, "ink"), _rgba(style.ground, "ground")
     _core.render(vertices, edges, widths, box, *colors, float(style.min_width), workers, picture)
@@ -167,9 +163,7 @@ def _edges(graph: Any) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
     if edges.size == 0:
         edges = np.empty((0, 2), dtype=np.int32)
     if edges.ndim != 2 or edges.shape[1] != 2 or edges.dtype.kind not in "iu":
-        raise ValueError(
-            f"edges is {edges.dtype} of shape {edges.shape}; integers of shape (n, 2) are wanted"
-        )
+        raise ValueError(f"edges is {edges.dtype} of shape {edges.shape}; integers of shape (n, 2) are wanted")
     limits = np.iinfo(np.int32)
     if edges.size and not (limits.min <= edges.min() and edges.max() <= limits.max):
         raise ValueError("edges holds numbers beyond 32 bits")
@@ -223,9 +217,7 @@ def _rgba(color: Any, name: str) -> tuple[int, int, int, int]:
         try:
             parts = [arguments.count(part, f"{name}[{i}]", high=255) for i, part in enumerate(color)]
         except TypeError as error:
-            raise TypeError(
-                f"{name} is {color!r}; '#rrggbb' or 3 or 4 integers are wanted ({error})"
-            ) from None
+            raise TypeError(f"{name} is {color!r}; '#rrggbb' or 3 or 4 integers are wanted ({error})") from None
     if len(parts) not in (3, 4):
         raise ValueError(f"{name} is {color!r}; 3 or 4 channels are wanted")
     red, green, blue, alpha = [*parts, 255][:4]

@@ -18,8 +18,6 @@ def key(rng: RNG = None) -> tuple[int, int]:
     try:
         generator = np.random.default_rng(rng)
     except (TypeError, ValueError) as error:
-        raise type(error)(
-            f"rng is {rng!r}; an int >= 0, a numpy.random.Generator or None is wanted"
-        ) from None
+        raise type(error)(f"rng is {rng!r}; an int >= 0, a numpy.random.Generator or None is wanted") from None
     low, high = (int(word) & (2**64 - 1) for word in generator.bit_generator.random_raw(2))
     return low, high

@@ -43,9 +43,9 @@ def uniform(n: int, *, bounds: Sequence[float] = (0, 0, 1, 1), rng: RNG = None) 
     MemoryError
         If the points do not fit.
 
-    Source
-    ------
-    Thesis, section 8.1.
+    Notes
+    -----
+    Source: thesis, section 8.1.
 
     Examples
     --------
@@ -88,9 +88,9 @@ def normal(n: int, *, loc: ArrayLike = 0.0, scale: ArrayLike = 1.0, rng: RNG = N
     MemoryError
         If the points do not fit.
 
-    Source
-    ------
-    Thesis, section 8.3. Wichura: Algorithm AS 241 (Applied Statistics 37, 1988).
+    Notes
+    -----
+    Source: thesis, section 8.3. Wichura: Algorithm AS 241 (Applied Statistics 37, 1988).
 
     Examples
     --------
@@ -104,10 +104,9 @@ def normal(n: int, *, loc: ArrayLike = 0.0, scale: ArrayLike = 1.0, rng: RNG = N
 
 
 def laplace(n: int, *, loc: ArrayLike = 0.0, scale: ArrayLike = 1.0, rng: RNG = None) -> Points:
-    """Points whose coordinates are Laplace, each independently of the other: denser in the middle than `normal`
-    and with more points far out.
+    """Points whose coordinates are Laplace, each independently of the other.
 
-    Point i depends on `rng` and i alone.
+    Denser in the middle than `normal`, and with more points far out. Point i depends on `rng` and i alone.
 
     Parameters
     ----------
@@ -134,9 +133,9 @@ def laplace(n: int, *, loc: ArrayLike = 0.0, scale: ArrayLike = 1.0, rng: RNG = 
     MemoryError
         If the points do not fit.
 
-    Source
-    ------
-    Thesis, section 8.3.
+    Notes
+    -----
+    Source: thesis, section 8.3.
 
     Examples
     --------
@@ -192,9 +191,9 @@ def from_image(
     ImportError
         If contourpy is not installed.
 
-    Source
-    ------
-    Thesis, section 6.
+    Notes
+    -----
+    Source: thesis, section 6.
 
     Examples
     --------

@@ -157,16 +157,12 @@ def _axis_graph(diagram: Diagram, mask: Mask) -> PlanarGraph:
 
 def _one_step(diagram: Diagram) -> Skeleton:
     mask = _one_step_mask(diagram)
-    return Skeleton(
-        diagram, "one-step", _crust_graph(diagram, mask), _axis_graph(diagram, ~mask), mask, ~mask
-    )
+    return Skeleton(diagram, "one-step", _crust_graph(diagram, mask), _axis_graph(diagram, ~mask), mask, ~mask)
 
 
 def _edge_filter(diagram: Diagram) -> Skeleton:
     crust, _, axis = _core.second(diagram.arrays)
-    return Skeleton(
-        diagram, "edge-filter", _crust_graph(diagram, crust), _axis_graph(diagram, axis), crust, axis
-    )
+    return Skeleton(diagram, "edge-filter", _crust_graph(diagram, crust), _axis_graph(diagram, axis), crust, axis)
 
 
 def _initial(diagram: Diagram) -> Skeleton:

@@ -56,9 +56,9 @@ def shares(length: NDArray[np.float64], n: int) -> NDArray[np.int64]:
     (lines,) int64
         Points of every line; their sum is `n`.
 
-    Source
-    ------
-    The largest-remainder rule of Hamilton, for seats in proportion to votes.
+    Notes
+    -----
+    Source: the largest-remainder rule of Hamilton, for seats in proportion to votes.
 
     Examples
     --------
@@ -87,9 +87,7 @@ def counts_at(lines: Contours, step: float) -> NDArray[np.int64]:
     counts[counts < FEWEST] = 0
     if not counts.any():
         longest = float(lines.length.max(initial=0.0))
-        raise CrazingError(
-            f"spacing is {step:g} pixels; the longest contour, of {longest:g}, is too short for it"
-        )
+        raise CrazingError(f"spacing is {step:g} pixels; the longest contour, of {longest:g}, is too short for it")
     arguments.count(int(counts.sum()), "number of points at this spacing")
     return counts
 

@@ -21,9 +21,7 @@ INCHES = 13.0
 
 @click.command("compare")
 @click.argument("image", type=click.Path(exists=True, dir_okay=False))
-@click.option(
-    "--points", type=click.IntRange(min=3), help="Samples along the contour; its own points by default."
-)
+@click.option("--points", type=click.IntRange(min=3), help="Samples along the contour; its own points by default.")
 @click.option(
     "--level",
     type=float,
@@ -33,12 +31,8 @@ INCHES = 13.0
     help="Brightness where the contour runs, from 0 black to 1 white; may be given several times.",
 )
 @click.option("--first", default="one-step", show_default=True, metavar="METHOD", help="The one method.")
-@click.option(
-    "--second", default="edge-filter", show_default=True, metavar="METHOD", help="The other method."
-)
-@click.option(
-    "--dpi", type=click.IntRange(20, 1200), default=200, show_default=True, help="Pixels an inch; 13 across."
-)
+@click.option("--second", default="edge-filter", show_default=True, metavar="METHOD", help="The other method.")
+@click.option("--dpi", type=click.IntRange(20, 1200), default=200, show_default=True, help="Pixels an inch; 13 across.")
 @output_option
 def command(
     *,
@@ -59,9 +53,7 @@ def command(
     require("matplotlib.figure", "plot")
     with steps(4) as begin:
         begin("reading")
-        samples = crazing.sample.from_image(
-            read_image(image), level=level if len(level) > 1 else level[0], n=points
-        )
+        samples = crazing.sample.from_image(read_image(image), level=level if len(level) > 1 else level[0], n=points)
         begin("comparing")
         comparison = crazing.compare(samples, first, second)
         begin("drawing")
@@ -77,8 +69,6 @@ def _figure(comparison: crazing.Comparison) -> Figure:
     width, height = comparison.first.diagram.sites.max(axis=0) - comparison.first.diagram.sites.min(axis=0)
     # Titles and legends take most of an inch.
     inches = 0.8 + INCHES / 3 * min(max(height / width, 0.2), 2.0)
-    figure: Figure = require("matplotlib.figure", "plot").Figure(
-        figsize=(INCHES, inches), layout="constrained"
-    )
+    figure: Figure = require("matplotlib.figure", "plot").Figure(figsize=(INCHES, inches), layout="constrained")
     comparison.plot(figure.subplots(1, 3))
     return figure

@@ -36,9 +36,7 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
 def output_option(function: Callable[..., Any]) -> Callable[..., Any]:
     """Adds `-o` to a command that makes a PNG."""
     words = "Where to write the picture, a PNG; - is standard output."
-    return click.option("-o", "--output", required=True, metavar="FILE", callback=_checked, help=words)(
-        function
-    )
+    return click.option("-o", "--output", required=True, metavar="FILE", callback=_checked, help=words)(function)
 
 
 @contextlib.contextmanager

@@ -44,9 +44,7 @@ def _size(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[i
     show_default=True,
     help="How the sites are spread.",
 )
-@click.option(
-    "--width", type=float, help="Width of the widest cracks, in data units (the picture is 1 high)."
-)
+@click.option("--width", type=float, help="Width of the widest cracks, in data units (the picture is 1 high).")
 @click.option("--opening", type=float, help="Share of the maze's passages opened, 0 to 1.")
 @click.option("--threads", type=click.IntRange(1, 1024), help="Threads that draw; all cores by default.")
 @click.option("--json", "as_json", is_flag=True, help="Print the result as one line of JSON.")
@@ -81,9 +79,7 @@ def command(*, threads: int | None, as_json: bool, output: str, **parameters: An
         say(f"{output}: {width} x {height} pixels, {edges} crack edges, seed {parameters['seed']}", output)
 
 
-def _crack(
-    *, seed: int, size: tuple[int, int], sites: int, distribution: str, **steps_of_crack: Any
-) -> crazing.Crack:
+def _crack(*, seed: int, size: tuple[int, int], sites: int, distribution: str, **steps_of_crack: Any) -> crazing.Crack:
     rng = np.random.default_rng(seed)
     aspect = size[0] / size[1]
     if distribution == "uniform":
