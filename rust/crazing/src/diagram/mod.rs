@@ -8,6 +8,7 @@ mod vertices;
 
 pub use build::diagram;
 pub(crate) use build::triangulate_near_one;
+pub(crate) use order::hilbert as curve_order;
 pub use order::insertion as insertion_order;
 pub use vertices::representatives;
 

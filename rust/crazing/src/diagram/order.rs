@@ -19,7 +19,7 @@ pub fn insertion(points: &[Point]) -> Vec<u32> {
 }
 
 /// Rows along a Hilbert curve; equal points stand together, the first row of them first.
-pub(super) fn hilbert(points: &[Point]) -> Vec<u32> {
+pub(crate) fn hilbert(points: &[Point]) -> Vec<u32> {
     let mut rows: Vec<u32> = (0..points.len() as u32).collect();
     // A point far away makes all others share one cell: runs of one cell get a curve of their own.
     let mut todo = vec![(0, rows.len())];

@@ -3,7 +3,10 @@
 //! The caller keeps coordinates within 2^±200 of 1 (see [`crate::diagram::scale`]), so that nothing here over- or
 //! underflows.
 
+mod cotangent;
 pub mod expansion;
+
+pub use cotangent::Cotangent;
 
 use crate::graph::Point;
 use expansion::{Expansion, two_sum};
@@ -23,7 +26,7 @@ pub fn apex_sign(p: Point, q: Point, r: Point) -> f64 {
     let (a, b) = ([p[0] - r[0], p[1] - r[1]], [q[0] - r[0], q[1] - r[1]]);
     let (x, y) = (a[0] * b[0], a[1] * b[1]);
     let dot = x + y;
-    if dot.abs() > FILTER * (x.abs() + y.abs()) { dot.signum() } else { Apex::exact(p, q, r).dot.sign() }
+    if dot.abs() > FILTER * (x.abs() + y.abs()) { dot.signum() } else { exact_apex(p, q, r).0.sign() }
 }
 
 /// The one-step test (Gold and Snoeyink 2001) of edge `pq` with the opposite corners `r` and `s` on its two sides.
@@ -38,8 +41,8 @@ pub fn one_step_sign(p: Point, q: Point, r: Point, s: Point) -> f64 {
         return value.signum();
     }
     one_step_integer(p, q, r, s).unwrap_or_else(|| {
-        let (r, s) = (Apex::exact(p, q, r), Apex::exact(p, q, s));
-        r.dot.times(&s.dot).plus(&r.cross.times(&s.cross)).sign()
+        let ((dot_r, cross_r), (dot_s, cross_s)) = (exact_apex(p, q, r), exact_apex(p, q, s));
+        dot_r.times(&dot_s).plus(&cross_r.times(&cross_s)).sign()
     })
 }
 
@@ -82,17 +85,10 @@ fn one_step_integer(p: Point, q: Point, r: Point, s: Point) -> Option<f64> {
 }
 
 /// Dot and cross product of the two sides at a corner, exactly.
-struct Apex {
-    dot: Expansion,
-    cross: Expansion,
-}
-
-impl Apex {
-    fn exact(p: Point, q: Point, r: Point) -> Self {
-        let (ax, ay) = (Expansion::difference(p[0], r[0]), Expansion::difference(p[1], r[1]));
-        let (bx, by) = (Expansion::difference(q[0], r[0]), Expansion::difference(q[1], r[1]));
-        Self { dot: ax.times(&bx).plus(&ay.times(&by)), cross: ax.times(&by).minus(&ay.times(&bx)) }
-    }
+fn exact_apex(p: Point, q: Point, r: Point) -> (Expansion, Expansion) {
+    let (ax, ay) = (Expansion::difference(p[0], r[0]), Expansion::difference(p[1], r[1]));
+    let (bx, by) = (Expansion::difference(q[0], r[0]), Expansion::difference(q[1], r[1]));
+    (ax.times(&bx).plus(&ay.times(&by)), ax.times(&by).minus(&ay.times(&bx)))
 }
 
 /// Circumcentre of a triangle that is not flat, constructed relative to one corner and rounded.

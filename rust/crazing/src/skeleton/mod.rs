@@ -1,8 +1,12 @@
 //! Curves and skeletons of point samples, one method a file.
 
+mod boxes;
+mod local;
 mod one_step;
+mod pencil;
 mod second;
 
+pub use local::{Local, edge_filter, two_pass};
 pub use one_step::one_step;
 pub use second::{Second, second};
 

@@ -1,18 +1,12 @@
 //! The thesis' own way: a second triangulation, of sites and Voronoi vertices together.
 
+use super::local::pulled_in;
 use super::one_step;
 use crate::diagram::scale::{Scale, largest};
 use crate::diagram::{DiagramView, representatives, triangulate_near_one};
 use crate::error::Result;
 use crate::graph::Point;
 use crate::watch::Watch;
-
-/// Scaled vertices beyond this are moved in to it along their direction: for circles of any smaller radius a vertex
-/// that far is a half-plane all the same.
-const FAR: f64 = 1e60;
-/// Scaled vertex coordinates below this are zero: they are rounded far coarser than that, and the triangulation does
-/// not hold smaller ones.
-const SMALL: f64 = 1e-42;
 
 /// What the second triangulation says of the first.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -38,7 +32,7 @@ pub fn second(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Second> {
     let distinct: Vec<i32> = (0..representative.len() as i32).filter(|&t| representative[t as usize] == t).collect();
     let scale = Scale::of(largest(view.sites));
     let mut points: Vec<Point> = view.sites.iter().map(|&p| scale.down(p)).collect();
-    points.extend(distinct.iter().map(|&t| near(scale.down(view.vertices[t as usize]))));
+    points.extend(distinct.iter().map(|&t| pulled_in(scale.down(view.vertices[t as usize]))));
     let (first_row, edges) = triangulate_near_one(points, watch)?;
     let found = Ends::sort(&edges, &first_row, &distinct, view.sites.len());
     let dual = |k: usize| view.dual_edges[k].map(|t| if t == -1 { -1 } else { representative[t as usize] });
@@ -51,12 +45,6 @@ pub fn second(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Second> {
         filtered: (0..view.edges.len()).map(is_axis).collect(),
         axis: found.axis,
     })
-}
-
-fn near(v: Point) -> Point {
-    let size = v[0].abs().max(v[1].abs());
-    let v = if size > FAR { v.map(|x| x / size * FAR) } else { v };
-    v.map(|x| if x.abs() < SMALL { 0.0 } else { x })
 }
 
 fn ordered([a, b]: [i32; 2]) -> [i32; 2] {

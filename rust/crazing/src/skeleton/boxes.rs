@@ -1,0 +1,80 @@
+//! A tree of bounding boxes over points: is some point of a disc of a given kind?
+
+use crate::graph::Point;
+
+/// Points a leaf and boxes a box.
+const FAN: usize = 16;
+
+/// xmin, ymin, xmax, ymax.
+type Box = [f64; 4];
+
+/// A disc, its radius rounded up.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Disc {
+    pub(super) centre: Point,
+    pub(super) square_radius: f64,
+}
+
+impl Disc {
+    fn meets(&self, b: &Box) -> bool {
+        let [x, y] = self.centre;
+        let (dx, dy) = ((b[0] - x).max(x - b[2]).max(0.0), (b[1] - y).max(y - b[3]).max(0.0));
+        dx * dx + dy * dy <= self.square_radius
+    }
+}
+
+/// Points in an order in which neighbours are mostly near each other, boxed sixteen by sixteen, level by level.
+#[derive(Debug, Default)]
+pub(super) struct Boxes {
+    points: Vec<Point>,
+    /// From the leaves up; the last has one box.
+    levels: Vec<Vec<Box>>,
+}
+
+impl Boxes {
+    pub(super) fn new(points: Vec<Point>) -> Self {
+        let mut levels = Vec::new();
+        if !points.is_empty() {
+            levels.push(points.chunks(FAN).map(around_points).collect::<Vec<Box>>());
+        }
+        while let Some(top) = levels.last().filter(|top| top.len() > 1) {
+            levels.push(top.chunks(FAN).map(around_boxes).collect());
+        }
+        Self { points, levels }
+    }
+
+    /// The first point found for which `wanted` holds; asked for points in the disc and some near it.
+    pub(super) fn find(&self, disc: Disc, wanted: impl Fn(Point) -> bool) -> Option<Point> {
+        let mut todo = Vec::with_capacity(64);
+        if let Some(top) = self.levels.len().checked_sub(1) {
+            todo.push((top, 0));
+        }
+        while let Some((level, index)) = todo.pop() {
+            if !disc.meets(&self.levels[level][index]) {
+                continue;
+            }
+            let children = FAN * index..FAN * (index + 1);
+            if level > 0 {
+                todo.extend(children.take_while(|&child| child < self.levels[level - 1].len()).map(|c| (level - 1, c)));
+            } else {
+                let leaf = &self.points[children.start..children.end.min(self.points.len())];
+                if let Some(&found) = leaf.iter().find(|&&point| wanted(point)) {
+                    return Some(found);
+                }
+            }
+        }
+        None
+    }
+}
+
+fn around_points(points: &[Point]) -> Box {
+    points.iter().fold([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY], |b, p| {
+        [b[0].min(p[0]), b[1].min(p[1]), b[2].max(p[0]), b[3].max(p[1])]
+    })
+}
+
+fn around_boxes(boxes: &[Box]) -> Box {
+    boxes.iter().fold([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY], |b, c| {
+        [b[0].min(c[0]), b[1].min(c[1]), b[2].max(c[2]), b[3].max(c[3])]
+    })
+}

@@ -1,0 +1,147 @@
+//! The local crust and edge filter against brute force and against the literal second triangulation.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod families;
+
+use std::collections::BTreeSet;
+
+use crazing::diagram::scale::{Scale, largest};
+use crazing::diagram::{diagram, representatives};
+use crazing::skeleton::{edge_filter, one_step, second, two_pass};
+use crazing::{Diagram, Point, Watch};
+use families::{FAMILIES, any_points, family, lattice, shuffled};
+use proptest::prelude::*;
+
+fn of(points: &[Point]) -> Diagram {
+    diagram(points, Watch::default()).unwrap()
+}
+
+/// Width, over half the length of `pq`, of the interval of circles through `p` and `q` that hold none of `others`;
+/// zero or less when there is none.
+fn margin(p: Point, q: Point, others: impl Iterator<Item = Point>) -> f64 {
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    for v in others {
+        let (a, b) = ([p[0] - v[0], p[1] - v[1]], [q[0] - v[0], q[1] - v[1]]);
+        let (dot, cross) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
+        if cross > 0.0 {
+            high = high.min(dot / cross);
+        } else if cross < 0.0 {
+            low = low.max(dot / cross);
+        } else if dot < 0.0 {
+            return f64::NEG_INFINITY;
+        }
+    }
+    high - low
+}
+
+/// Margins of every edge and every dual edge (NaN where that is no axis edge by itself).
+fn margins(d: &Diagram) -> Vec<[f64; 2]> {
+    let scale = Scale::of(largest(&d.sites));
+    let sites: Vec<Point> = d.sites.iter().map(|&p| scale.down(p)).collect();
+    let vertices: Vec<Point> = d.vertices.iter().map(|&p| scale.down(p)).collect();
+    let both = || sites.iter().chain(&vertices).copied();
+    let without = |a: Point, b: Point| both().filter(move |&v| v != a && v != b);
+    let row = |(edge, dual): (&[i32; 2], &[i32; 2])| {
+        let [p, q] = edge.map(|i| sites[i as usize]);
+        if dual.contains(&-1) {
+            return [margin(p, q, without(p, q)), f64::NAN];
+        }
+        let [from, to] = dual.map(|t| vertices[t as usize]);
+        let axis = if from == to { f64::NAN } else { margin(from, to, without(from, to)) };
+        [margin(p, q, without(p, q)), axis]
+    };
+    d.edges.iter().zip(&d.dual_edges).map(row).collect()
+}
+
+/// Whether arithmetic without care, as in `margin` and in rounded vertices, can be trusted on these points.
+fn tame(d: &Diagram) -> bool {
+    let size = largest(&d.sites);
+    let spread = d.edges.iter().map(|&[p, q]| {
+        let [p, q] = [d.sites[p as usize], d.sites[q as usize]];
+        (p[0] - q[0]).abs().max((p[1] - q[1]).abs())
+    });
+    // Vertices of subnormal data are rounded to few digits.
+    size > 1e-290 && spread.fold(f64::INFINITY, f64::min) > 1e-5 * size && largest(&d.vertices) < 1e5 * size
+}
+
+#[test]
+fn equals_the_second_triangulation_edge_for_edge() {
+    for name in ["uniform", "curve"] {
+        for seed in 0..3 {
+            let d = of(&family(name, 5000, seed));
+            let (local, literal) = (edge_filter(d.view()).unwrap(), second(d.view(), Watch::default()).unwrap());
+            assert_eq!(two_pass(d.view()).unwrap(), literal.crust, "{name}");
+            assert_eq!(local.crust, literal.crust, "{name}");
+            assert_eq!(local.axis, literal.filtered, "{name}");
+        }
+    }
+}
+
+#[test]
+fn every_family_ends() {
+    for name in FAMILIES {
+        let d = of(&family(name, 3000, 5));
+        if one_step(d.view()).is_ok() {
+            edge_filter(d.view()).unwrap();
+        }
+    }
+}
+
+#[test]
+fn a_wheel_is_not_quadratic() {
+    let mut points = family("circle", 30_000, 0);
+    points.push([0.0, 0.0]);
+    let d = of(&points);
+    let local = edge_filter(d.view()).unwrap();
+    assert_eq!(local.crust.iter().filter(|c| **c).count(), 30_000);
+}
+
+fn rows(d: &Diagram, mask: &[bool]) -> BTreeSet<[[u64; 2]; 2]> {
+    let bits = |site: i32| d.sites[site as usize].map(f64::to_bits);
+    let kept = d.edges.iter().zip(mask).filter(|(_, kept)| **kept);
+    kept.map(|(&[p, q], _)| [bits(p).min(bits(q)), bits(p).max(bits(q))]).collect()
+}
+
+proptest! {
+    #[test]
+    fn equals_brute_force_and_the_literal_form_away_from_ties(points in any_points()) {
+        let d = of(&points);
+        let Ok(one) = one_step(d.view()) else { return Ok(()) };
+        prop_assume!(tame(&d));
+        let (local, literal) = (edge_filter(d.view()).unwrap(), second(d.view(), Watch::default()).unwrap());
+        for (k, [crust, axis]) in margins(&d).into_iter().enumerate() {
+            if crust.abs() > 1e-7 {
+                prop_assert_eq!(local.crust[k], crust > 0.0 && one[k], "crust {} margin {}", k, crust);
+                prop_assert_eq!(local.crust[k], literal.crust[k], "literal crust {} margin {}", k, crust);
+            }
+            if axis.abs() > 1e-7 {
+                prop_assert_eq!(local.axis[k], axis > 0.0 && !one[k], "axis {} margin {}", k, axis);
+                prop_assert_eq!(local.axis[k], literal.filtered[k], "literal axis {} margin {}", k, axis);
+            }
+        }
+    }
+
+    #[test]
+    fn ties_do_not_depend_on_the_triangulation(points in lattice(), seed in any::<u64>()) {
+        let (a, b) = (of(&points), of(&shuffled(&points, seed)));
+        if let (Ok(x), Ok(y)) = (edge_filter(a.view()), edge_filter(b.view())) {
+            prop_assert_eq!(rows(&a, &x.crust), rows(&b, &y.crust));
+            prop_assert_eq!(rows(&a, &x.axis), rows(&b, &y.axis));
+        }
+    }
+
+    #[test]
+    fn nested_in_one_step_on_every_family(points in prop_oneof![any_points(), lattice()]) {
+        let d = of(&points);
+        let Ok(one) = one_step(d.view()) else { return Ok(()) };
+        let local = edge_filter(d.view()).unwrap();
+        let representative = representatives(d.view());
+        for (k, &one) in one.iter().enumerate() {
+            prop_assert!(one || !local.crust[k]);
+            prop_assert!(!(one && local.axis[k]));
+            let [a, b] = d.dual_edges[k];
+            let point = a != -1 && b != -1 && representative[a as usize] == representative[b as usize];
+            prop_assert!(!local.axis[k] || (a != -1 && b != -1 && !point));
+        }
+    }
+}
