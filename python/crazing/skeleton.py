@@ -144,7 +144,7 @@ def _one_step_mask(diagram: Diagram) -> Mask:
 
 
 def _two_pass_mask(diagram: Diagram) -> Mask:
-    return _core.second(diagram.arrays)[0]
+    return _core.two_pass(diagram.arrays)
 
 
 def _crust_graph(diagram: Diagram, mask: Mask) -> PlanarGraph:
@@ -161,11 +161,10 @@ def _one_step(diagram: Diagram) -> Skeleton:
 
 
 def _edge_filter(diagram: Diagram) -> Skeleton:
-    crust, _, axis = _core.second(diagram.arrays)
+    crust, axis = _core.edge_filter(diagram.arrays)
     return Skeleton(diagram, "edge-filter", _crust_graph(diagram, crust), _axis_graph(diagram, axis), crust, axis)
 
 
 def _initial(diagram: Diagram) -> Skeleton:
-    crust, edges, _ = _core.second(diagram.arrays)
-    axis = PlanarGraph(diagram.vertices, edges)
-    return Skeleton(diagram, "initial", _crust_graph(diagram, crust), axis, None, None)
+    axis = PlanarGraph(diagram.vertices, _core.initial(diagram.arrays))
+    return Skeleton(diagram, "initial", _crust_graph(diagram, _two_pass_mask(diagram)), axis, None, None)

@@ -36,7 +36,7 @@ mod _core {
     #[pymodule_export]
     use crate::sample::{sample_laplace, sample_normal, sample_uniform};
     #[pymodule_export]
-    use crate::skeleton::{axis_edges, one_step, second};
+    use crate::skeleton::{axis_edges, edge_filter, initial, one_step, two_pass};
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

@@ -15,14 +15,28 @@ pub(crate) fn one_step<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bo
     Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::one_step(view))?))
 }
 
-type Second<'py> = (Bound<'py, PyArray1<bool>>, Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<bool>>);
-
-/// Two-pass crust mask, initial axis edges and edge-filter mask, by the second triangulation.
+/// Whether each edge is two-pass crust.
 #[pyfunction]
-pub(crate) fn second<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Second<'py>> {
+pub(crate) fn two_pass<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound<'py, PyArray1<bool>>> {
     let view = arrays.view()?;
-    let found = detached(py, |watch| skeleton::second(view, watch))?;
-    Ok((PyArray1::from_vec(py, found.crust), table(py, found.axis)?, PyArray1::from_vec(py, found.filtered)))
+    Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::two_pass(view))?))
+}
+
+type Masks<'py> = (Bound<'py, PyArray1<bool>>, Bound<'py, PyArray1<bool>>);
+
+/// Two-pass crust and edge-filtered axis.
+#[pyfunction]
+pub(crate) fn edge_filter<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Masks<'py>> {
+    let view = arrays.view()?;
+    let found = detached(py, |_| skeleton::edge_filter(view))?;
+    Ok((PyArray1::from_vec(py, found.crust), PyArray1::from_vec(py, found.axis)))
+}
+
+/// Edges of the initial axis, by the second triangulation.
+#[pyfunction]
+pub(crate) fn initial<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+    let view = arrays.view()?;
+    table(py, detached(py, |watch| skeleton::second(view, watch))?.axis)
 }
 
 /// Dual edges of the masked rows that join two different finite vertices.

@@ -4,8 +4,6 @@
 //! none of them: a question about one pencil of circles, independent of all others. Nearly always the smallest circle
 //! that is allowed answers it with one look at the neighbourhood.
 
-use std::sync::OnceLock;
-
 use super::boxes::{Boxes, Disc};
 use super::one_step::{one_step, opposite};
 use super::pencil::Pencil;
@@ -54,7 +52,9 @@ pub fn two_pass(view: DiagramView<'_>) -> Result<Vec<bool>> {
 /// Thesis, section 5.2.
 pub fn edge_filter(view: DiagramView<'_>) -> Result<Local> {
     let one_step = one_step(view)?;
-    let places = Places::of(view);
+    let mut places = Places::of(view);
+    let sites: Vec<Point> = (0..view.sites.len() as i32).map(|site| places.site(site)).collect();
+    places.sites = Boxes::new(along_curve(&sites));
     Ok(Local { crust: places.crust(&one_step), axis: places.axis(&one_step) })
 }
 
@@ -65,21 +65,21 @@ struct Places<'a> {
     /// Vertices among the sites, and those far from all of them: these would spoil the boxes of the others.
     near: Boxes,
     far: Boxes,
-    /// Wanted for few edges of few inputs only.
-    sites: OnceLock<Boxes>,
+    /// For the axis only.
+    sites: Boxes,
 }
 
 impl<'a> Places<'a> {
     fn of(view: DiagramView<'a>) -> Self {
         let scale = Scale::of(largest(view.sites));
-        let mut places = Self { view, scale, near: Boxes::default(), far: Boxes::default(), sites: OnceLock::new() };
+        let mut places = Self { view, scale, near: Boxes::default(), far: Boxes::default(), sites: Boxes::default() };
         let [low, high] = places.frame();
         let representative = representatives(view);
         let distinct = (0..view.vertices.len()).filter(|&t| representative[t] as usize == t);
         let inside = |v: &Point| (0..2).all(|axis| low[axis] <= v[axis] && v[axis] <= high[axis]);
         let (near, far): (Vec<Point>, Vec<Point>) = distinct.map(|t| places.vertex(t as i32)).partition(inside);
-        places.far = Boxes::new(curve_order(&far).into_iter().map(|row| far[row as usize]).collect());
-        places.near = Boxes::new(near);
+        // In an order of their own: along a curve, vertices of neighbouring triangles lie on both sides of it, far apart.
+        (places.near, places.far) = (Boxes::new(along_curve(&near)), Boxes::new(along_curve(&far)));
         places
     }
 
@@ -119,7 +119,7 @@ impl<'a> Places<'a> {
             pencil.cut(self.site(opposite(self.view.triangles[t as usize], p, q)));
             pencil.cut(self.vertex(t));
         }
-        leaves_some(pencil, |disc, wanted| self.find_vertex(disc, wanted))
+        leaves_some(pencil, |_, disc, wanted| self.find_vertex(disc, wanted))
     }
 
     fn is_axis(&self, k: usize) -> bool {
@@ -133,30 +133,31 @@ impl<'a> Places<'a> {
         }
         let mut pencil = Pencil::new(from, to);
         self.view.edges[k].into_iter().for_each(|site| pencil.cut(self.site(site)));
-        leaves_some(pencil, |disc, wanted| self.find_vertex(disc, wanted).or_else(|| self.find_site(disc, wanted)))
+        // The middle of a dual edge is on the border of two cells: no site is nearer to it than theirs, which are outside
+        // the smallest circle.
+        leaves_some(pencil, |tau, disc, wanted| {
+            let site = || if tau == 0.0 { None } else { self.sites.find(disc, wanted) };
+            self.find_vertex(disc, wanted).or_else(site)
+        })
     }
 
     fn find_vertex(&self, disc: Disc, wanted: &dyn Fn(Point) -> bool) -> Option<Point> {
         self.near.find(disc, wanted).or_else(|| self.far.find(disc, wanted))
     }
+}
 
-    fn find_site(&self, disc: Disc, wanted: &dyn Fn(Point) -> bool) -> Option<Point> {
-        let boxes = self.sites.get_or_init(|| {
-            let sites: Vec<Point> = (0..self.view.sites.len() as i32).map(|i| self.site(i)).collect();
-            Boxes::new(curve_order(&sites).into_iter().map(|row| sites[row as usize]).collect())
-        });
-        boxes.find(disc, wanted)
-    }
+fn along_curve(points: &[Point]) -> Vec<Point> {
+    curve_order(points).into_iter().map(|row| points[row as usize]).collect()
 }
 
 /// Cuts a pencil by the points that `find` finds in its circles until one is empty or none is left.
-fn leaves_some(mut pencil: Pencil, find: impl Fn(Disc, &dyn Fn(Point) -> bool) -> Option<Point>) -> bool {
+fn leaves_some(mut pencil: Pencil, find: impl Fn(f64, Disc, &dyn Fn(Point) -> bool) -> Option<Point>) -> bool {
     for _ in 0..CUTS {
         if pencil.is_empty() {
             return false;
         }
         let tau = pencil.choose();
-        match find(pencil.disc(tau), &|v| pencil.holds(tau, v)) {
+        match find(tau, pencil.disc(tau), &|v| pencil.holds(tau, v)) {
             None => return true,
             Some(v) => pencil.cut(v),
         }
