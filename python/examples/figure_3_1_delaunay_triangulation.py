@@ -1,7 +1,7 @@
 """Figure 3.1: a Delaunay triangulation.
 
-No circle through the corners of a triangle holds another site; the circles of the six largest triangles are drawn, with
-their centres, which are Voronoi vertices.
+No circle through the corners of a triangle holds another site. Four such circles are drawn, with their centres, which
+are Voronoi vertices.
 """
 
 import argparse
@@ -18,8 +18,8 @@ def draw(d: cz.Diagram) -> Figure:
     figure = Figure(figsize=(5, 5), layout="constrained")
     ax = d.delaunay.plot(figure.subplots(), color="black", linewidth=0.9)
     radius = np.hypot(*(d.sites[d.triangles[:, 0]] - d.vertices).T)
-    inside = ((d.vertices - radius[:, None] > -0.1) & (d.vertices + radius[:, None] < 1.1)).all(axis=1)
-    for i in np.flatnonzero(inside)[np.argsort(radius[inside])[-6:]]:
+    for corner in ((0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)):
+        i = np.argmin(np.hypot(*(d.vertices - corner).T))
         ax.add_patch(Circle(d.vertices[i], radius[i], fill=False, color="#0072b2", linewidth=0.8))
         ax.plot(*d.vertices[i], "+", color="#0072b2", markersize=5)
     ax.plot(*d.sites.T, "o", color="#d55e00", markersize=4)

@@ -1,7 +1,7 @@
 """Figure 5.4: the medial axis before and after edge filtering, of a closed curve and of scattered points.
 
 Of the curve the filter leaves a clean tree inside and the branches outside. Of points that follow no curve it leaves
-branches too, in many pieces: what it drops is not put together again.
+branches too, and here and there drops an edge that held them together.
 """
 
 import argparse

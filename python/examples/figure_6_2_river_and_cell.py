@@ -52,6 +52,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--small", action="store_true", help="a quick picture, for checks")
     parser.add_argument("-o", "--output", type=Path, default=Path(), metavar="FOLDER", help="where the PNG is written")
+    parser.add_argument("--points", type=int, default=1500, help="samples of each")
     parser.add_argument("--river", type=Path, help="a picture of a river")
     parser.add_argument("--cell", type=Path, help="a picture of a cell")
     given = parser.parse_args()
@@ -60,7 +61,7 @@ def main() -> None:
         "river": read_image(given.river) if given.river else river(),
         "cell": read_image(given.cell) if given.cell else cell(),
     }
-    draw(pictures, 500 if given.small else 3000).savefig(given.output / "figure_6_2.png", dpi=150)
+    draw(pictures, 500 if given.small else given.points).savefig(given.output / "figure_6_2.png", dpi=150)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ the thesis says: a Voronoi maze makes the better crack.
 """
 
 import argparse
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +19,11 @@ def draw(n: int) -> Figure:
     m = cz.maze(d, cells="delaunay", rng=4)
     middles = d.sites[d.triangles].mean(axis=1)
     first, last = (int(np.argmin(np.hypot(*(middles - corner).T))) for corner in ((0, 1), (1, 0)))
-    way = middles[m.solve(first, last)]
+    steps = m.solve(first, last)
+    # Through the middle of the side that two neighbouring triangles share.
+    doors = [d.sites[np.intersect1d(*d.triangles[[a, b]])].mean(axis=0) for a, b in pairwise(steps)]
+    way = np.stack([middles[steps[:-1]], doors], axis=1).reshape(-1, 2)
+    way = np.concatenate([way, middles[[last]]])
     figure = Figure(figsize=(13, 4.7), layout="constrained")
     for ax, title in zip(figure.subplots(1, 3), ("Delaunay triangulation", "maze", "and its solution"), strict=True):
         lines = d.delaunay if title == "Delaunay triangulation" else m.walls

@@ -1,4 +1,4 @@
-"""The two pictures of the README: a strip of crack textures, and two skeleton methods on one horse.
+"""The two pictures of the README: a strip of crack textures, and two skeleton methods on a leaf.
 
 The strip shows three patterns of one seed: cracks as trees, as the thesis has them; cracks that close their plates, as
 in a glaze; and cracks around an impact.
@@ -8,9 +8,10 @@ import argparse
 from pathlib import Path
 
 import numpy as np
+from figure_5_8_one_step_against_edge_filter import draw
+from leaf import picture
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
-from skimage.data import horse
 
 import crazing as cz
 
@@ -34,11 +35,7 @@ def strip(side: int) -> NDArray[np.uint8]:
 
 
 def skeletons(n: int) -> Figure:
-    # scikit-image's horse is dark on light, and its picture ends at the hooves.
-    samples = cz.sample.from_image(np.pad(~horse(), 8), n=n)
-    figure = Figure(figsize=(13, 4.6), layout="constrained")
-    cz.compare(samples, "one-step", "edge-filter").plot(figure.subplots(1, 3))
-    return figure
+    return draw(cz.compare(cz.sample.from_image(picture(), n=n)))
 
 
 def main() -> None:
@@ -49,8 +46,8 @@ def main() -> None:
     )
     given = parser.parse_args()
     given.output.mkdir(parents=True, exist_ok=True)
-    cz.save_png(given.output / "crack.png", strip(64 if given.small else 400))
-    skeletons(150 if given.small else 700).savefig(given.output / "skeletons.png", dpi=50 if given.small else 110)
+    cz.save_png(given.output / "crack.png", strip(64 if given.small else 384))
+    skeletons(150 if given.small else 600).savefig(given.output / "skeletons.png", dpi=50 if given.small else 110)
 
 
 if __name__ == "__main__":

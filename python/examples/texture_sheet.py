@@ -18,11 +18,12 @@ REACH = {"uniform": 0.5, "normal": 2.2, "laplace": 2.5}
 def pattern(name: str, opening: float) -> cz.Crack:
     reach = REACH[name]
     bounds = (-reach, -reach, reach, reach)
-    if name == "uniform":
-        points = cz.sample.uniform(250, bounds=bounds, rng=3)
-    else:
-        points = getattr(cz.sample, name)(400, rng=3)
-    return cz.crack(points, opening=opening, bounds=bounds, rng=3)
+    points = {
+        "uniform": cz.sample.uniform(250, bounds=bounds, rng=3),
+        "normal": cz.sample.normal(400, rng=3),
+        "laplace": cz.sample.laplace(400, rng=3),
+    }
+    return cz.crack(points[name], opening=opening, bounds=bounds, rng=3)
 
 
 def draw(side: int) -> Figure:
