@@ -23,7 +23,7 @@ def draw(d: cz.Diagram) -> Figure:
         ax.add_patch(Circle(d.vertices[i], radius[i], fill=False, color="#0072b2", linewidth=0.8))
         ax.plot(*d.vertices[i], "+", color="#0072b2", markersize=5)
     ax.plot(*d.sites.T, "o", color="#d55e00", markersize=4)
-    ax.set(title=f"Delaunay triangulation of {len(d.sites)} sites", xlim=(-0.1, 1.1), ylim=(-0.1, 1.1))
+    ax.set(title=f"Delaunay triangulation of {len(d.sites)} sites", xlim=(-0.03, 1.03), ylim=(-0.03, 1.03))
     ax.set_axis_off()
     return figure
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 import crazing as cz
 
-BOUNDS = (0.0, 0.0, 1.0, 1.0)
+BOUNDS = (-0.05, -0.05, 1.05, 1.05)
 
 
 def passage(d: cz.Diagram, a: int, b: int) -> NDArray[np.float64]:
@@ -30,20 +30,20 @@ def passage(d: cz.Diagram, a: int, b: int) -> NDArray[np.float64]:
 
 
 def draw(n: int) -> Figure:
-    d = cz.diagram(cz.sample.uniform(n, rng=4))
-    m = cz.maze(d, bounds=BOUNDS, rng=4)
-    first, last = (int(np.argmin(np.hypot(*(d.sites - corner).T))) for corner in ((0, 1), (1, 0)))
+    d = cz.diagram(cz.sample.uniform(n, rng=2))
+    m = cz.maze(d, bounds=BOUNDS, rng=2)
+    first, last = (int(np.argmin(np.hypot(*(d.sites - corner).T))) for corner in ((0.1, 0.9), (0.9, 0.1)))
     steps = m.solve(first, last).tolist()
     way = np.concatenate([passage(d, *step) for step in pairwise(steps)] + [d.sites[[last]]])
     figure = Figure(figsize=(13, 4.7), layout="constrained")
     for ax, title in zip(figure.subplots(1, 3), ("Voronoi diagram", "maze", "and its solution"), strict=True):
         lines = d.voronoi(BOUNDS) if title == "Voronoi diagram" else m.walls
         lines.plot(ax, color="black", linewidth=1.2, capstyle="round")
-        ax.plot([0, 1, 1, 0, 0], [0, 0, 1, 1, 0], color="black", linewidth=1.2)
+        ax.plot(*np.array(BOUNDS)[[[0, 2, 2, 0, 0], [1, 1, 3, 3, 1]]], color="black", linewidth=1.2)
         if title == "and its solution":
             ax.plot(*way.T, color="#d55e00", linewidth=1.6, solid_joinstyle="round")
             ax.plot(*way[[0, -1]].T, "o", color="#d55e00", markersize=5)
-        ax.set(title=title, xlim=(-0.01, 1.01), ylim=(-0.01, 1.01))
+        ax.set(title=title, xlim=(-0.06, 1.06), ylim=(-0.06, 1.06))
         ax.set_axis_off()
     return figure
 
