@@ -46,7 +46,7 @@ def main() -> None:
     )
     given = parser.parse_args()
     given.output.mkdir(parents=True, exist_ok=True)
-    cz.save_png(given.output / "crack.png", strip(64 if given.small else 384))
+    cz.save_png(given.output / "crack.png", strip(64 if given.small else 352))
     skeletons(150 if given.small else 600).savefig(given.output / "skeletons.png", dpi=50 if given.small else 110)
 
 

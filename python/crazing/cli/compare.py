@@ -16,14 +16,17 @@ from crazing.panels import row
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+#: More than a figure can show, and few enough for any machine.
+MOST_POINTS = 1_000_000
+
 
 @click.command("compare")
 @click.argument("image", type=click.Path(exists=True, dir_okay=False))
 @click.option(
     "--points",
-    type=click.IntRange(min=3),
+    type=click.IntRange(3, MOST_POINTS),
     metavar="N",
-    help="Samples along the contour, at least 3; by default its own points, about one a pixel.",
+    help="Samples along the contour; by default its own points, about one a pixel.",
 )
 @click.option(
     "--level",
