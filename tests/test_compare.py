@@ -132,6 +132,21 @@ def test_plot_shows_the_samples_and_not_the_far_vertices() -> None:
     figure.canvas.draw()
 
 
+@pytest.mark.parametrize("height", [0.01, 0.3, 1.0, 3.0])
+def test_words_of_the_plot_lie_within_its_figure(height: float) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    pyplot.switch_backend("Agg")
+    panels = cz.compare(flower(500) * (1, height)).plot()
+    figure = panels[0].figure
+    figure.canvas.draw()
+    for panel in panels:
+        for words in (panel.get_legend(), panel.title):
+            box = words.get_window_extent()
+            assert box.x0 >= 0 and box.x1 <= figure.bbox.width
+            assert box.y0 >= 0 and box.y1 <= figure.bbox.height
+    pyplot.close(figure)
+
+
 def test_plot_wants_three_axes() -> None:
     figure = pytest.importorskip("matplotlib.figure").Figure()
     with pytest.raises(ValueError, match="three"):

@@ -145,7 +145,7 @@ def _finish(ax: Axes, title: str, view: NDArray[np.float64], dot: float) -> None
         spine.set(color=FAINT, linewidth=0.6)
     # In the legend dots and lines are as large as can be seen, whatever they are in the picture.
     scale = LEGEND_DOT / dot
-    place: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.02), "ncols": 2}
+    place: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "ncols": 2}
     legend = ax.legend(**place, frameon=False, fontsize="small", markerscale=scale)
     for line in legend.get_lines():
         line.set_linewidth(1.8)
