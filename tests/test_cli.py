@@ -104,6 +104,17 @@ def test_wide_and_closed_cracks_are_more_ink(tmp_path: Path) -> None:
     assert dark("--width", 0.01, "--opening", 0) > dark("--width", 0.01)
 
 
+@pytest.mark.parametrize("distribution", ["normal", "laplace"])
+def test_scattered_cracks_reach_every_side_and_are_densest_in_the_middle(distribution: str, tmp_path: Path) -> None:
+    words = ["--seed", 4, "--size", "192x128", "--distribution", distribution, "-o", tmp_path / "a.png"]
+    assert run("texture", *words).exit_code == 0
+    with Image.open(tmp_path / "a.png") as picture:
+        pixels = np.asarray(picture)[..., 0].astype(int)
+    ink = pixels.max() - pixels
+    for side in (ink[:24], ink[-24:], ink[:, :24], ink[:, -24:]):
+        assert 0 < side.mean() < ink[48:80, 72:120].mean()
+
+
 @pytest.mark.parametrize(
     ("words", "part"),
     [
@@ -127,11 +138,13 @@ def test_wide_and_closed_cracks_are_more_ink(tmp_path: Path) -> None:
         (["compare", ".", "-o", "a.png"], "directory"),
         (["compare", "blob.png", "--first", "guess", "-o", "a.png"], "guess"),
         (["compare", "blob.png", "--points", "2", "-o", "a.png"], "points"),
+        (["compare", "blob.png", "--points", "100000000", "-o", "a.png"], "points"),
         (["compare", "blob.png", "--level", "x", "-o", "a.png"], "level"),
         (["compare", "blob.png", "--dpi", "0", "-o", "a.png"], "dpi"),
         (["fly"], "fly"),
         (["--fly"], "--fly"),
-        ([], "command"),
+        ([], "--help"),
+        (["texture", "--fly"], "texture --help"),
     ],
 )
 def test_bad_input_is_one_line_and_code_2(

@@ -81,7 +81,7 @@ def test_table_counts_and_prints_aligned() -> None:
     table = {name: (a, b) for name, a, b in comparison.table}
     axes = comparison.first.axis, comparison.second.axis
     assert table["axis edges"] == tuple(len(axis.edges) for axis in axes)
-    assert table["axis length"] == tuple(axis.length for axis in axes)
+    assert all(0 < length <= axis.length for length, axis in zip(table["axis length in box"], axes, strict=True))
     assert table["axis leaves"] == tuple(axis.leaves for axis in axes)
     assert table["axis components"] == tuple(axis.components for axis in axes)
     assert table["axis edges shared"] == (len(comparison.shared.edges),) * 2
@@ -130,6 +130,21 @@ def test_plot_shows_the_samples_and_not_the_far_vertices() -> None:
     assert legend[0] == "samples (5)"
     assert legend[2] == f"only one-step ({len(comparison.only_first.edges)})"
     figure.canvas.draw()
+
+
+@pytest.mark.parametrize("height", [0.01, 0.3, 1.0, 3.0])
+def test_words_of_the_plot_lie_within_its_figure(height: float) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    pyplot.switch_backend("Agg")
+    panels = cz.compare(flower(500) * (1, height)).plot()
+    figure = panels[0].figure
+    figure.canvas.draw()
+    for panel in panels:
+        for words in (panel.get_legend(), panel.title):
+            box = words.get_window_extent()
+            assert box.x0 >= 0 and box.x1 <= figure.bbox.width
+            assert box.y0 >= 0 and box.y1 <= figure.bbox.height
+    pyplot.close(figure)
 
 
 def test_plot_wants_three_axes() -> None:

@@ -89,6 +89,9 @@ class Comparison(Record):
     def table(self) -> list[Row]:
         """Rows of (what, of the first, of the second): counts, lengths in data units, seconds.
 
+        Lengths are of the edges with both ends in the bounding box of the samples; outside it an axis has vertices as
+        far away as three samples are near a line.
+
         Examples
         --------
         >>> import crazing as cz
@@ -102,7 +105,7 @@ class Comparison(Record):
         return [
             ("crust edges", *_pair(len(crust.edges) for crust in crusts)),
             ("axis edges", *_pair(len(axis.edges) for axis in axes)),
-            ("axis length", *_pair(axis.length for axis in axes)),
+            ("axis length in box", *_pair(self._length(axis) for axis in axes)),
             ("axis components", *_pair(axis.components for axis in axes)),
             ("axis leaves", *_pair(axis.leaves for axis in axes)),
             ("axis edges shared", *_pair(shared)),
@@ -161,6 +164,11 @@ class Comparison(Record):
         first, second = (_keys(skeleton.axis.edges, vertices) for skeleton in (self.first, self.second))
         return np.isin(first, second), np.isin(second, first)
 
+    def _length(self, axis: PlanarGraph) -> float:
+        sites = self.first.diagram.sites
+        inside = ((axis.vertices >= sites.min(axis=0)) & (axis.vertices <= sites.max(axis=0))).all(axis=1)
+        return float(axis.lengths[inside[axis.edges].all(axis=1)].sum())
+
     def _select(self, axis: PlanarGraph, kept: NDArray[np.bool_]) -> PlanarGraph:
         return PlanarGraph(self.first.diagram.vertices, axis.edges[kept])
 
@@ -217,7 +225,7 @@ def _pair(values: Iterable[int | float]) -> tuple[int | float, int | float]:
 
 
 def _text(value: int | float) -> str:
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
 def _keys(edges: NDArray[np.int32], vertices: int) -> NDArray[np.int64]:
