@@ -11,6 +11,7 @@ import io
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -88,12 +89,21 @@ def main() -> None:
     parser.add_argument("--sides", type=int, nargs="+", default=[2048, 4096, 8192])
     parser.add_argument("--counts", type=int, nargs="+", default=[10_000, 100_000])
     parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--small", action="store_true", help="one small picture, once")
+    parser.add_argument("-o", dest="folder", type=Path, help="also write the table to a file in this folder")
     given = parser.parse_args()
+    if given.small:
+        given.sides, given.counts, given.repeats = [256], [1000], 1
     heads = "to Pillow", "1 thread", "to memory", "save", "draw ms", "save ms"
-    print(f"{'side':>6}{'edges':>9}" + "".join(f"{head:>12}" for head in heads))
+    table = [f"{'side':>6}{'edges':>9}" + "".join(f"{head:>12}" for head in heads)]
+    print(table[0])
     for side in given.sides:
         for count in given.counts:
-            print(row(side, count, given.repeats), flush=True)
+            table.append(row(side, count, given.repeats))
+            print(table[-1], flush=True)
+    if given.folder:
+        given.folder.mkdir(parents=True, exist_ok=True)
+        (given.folder / "render.txt").write_text("\n".join(table) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -38,6 +38,16 @@ pub(crate) fn map<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> 
     )
 }
 
+/// The first of `0..len` that `f` holds for.
+pub(crate) fn first(len: usize, f: impl Fn(usize) -> bool + Sync + Send) -> Option<usize> {
+    choose(
+        len,
+        &f,
+        |f| (0..len).find(|&i| f(i)),
+        |f| (0..len).into_par_iter().with_min_len(WORTHWHILE / 8).find_first(|&i| f(i)),
+    )
+}
+
 /// Sorts; equal keys cannot be told apart, so the result does not depend on the number of threads.
 pub(crate) fn sort(keys: &mut [u64]) {
     choose(keys.len(), keys, |keys| keys.sort_unstable(), |keys| keys.par_sort_unstable());

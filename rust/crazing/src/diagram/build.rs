@@ -96,6 +96,10 @@ struct Merged {
 
 fn merge(points: Vec<Point>) -> Merged {
     let mut curve = order::hilbert(&points);
+    let mut along: Vec<Point> = curve.iter().map(|&row| points[row as usize]).collect();
+    if along.windows(2).all(|pair| pair[0] != pair[1]) {
+        return Merged { site_of: (0..points.len() as i32).collect(), sites: points, curve, along };
+    }
     // Equal rows stand together on the curve, the first of them first.
     let mut first_row: Vec<i32> = (0..points.len() as i32).collect();
     curve.dedup_by(|row, kept| {
@@ -105,10 +109,7 @@ fn merge(points: Vec<Point>) -> Merged {
         }
         same
     });
-    let along = curve.iter().map(|&row| points[row as usize]).collect();
-    if curve.len() == points.len() {
-        return Merged { sites: points, site_of: first_row, curve, along };
-    }
+    along.dedup();
     let (sites, site_of) = number_first_rows(&points, first_row);
     for row in &mut curve {
         *row = site_of[*row as usize] as u32;

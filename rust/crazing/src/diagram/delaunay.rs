@@ -66,70 +66,101 @@ fn insert(points: &[Point], sequence: &[u32], near: &[u32], watch: Watch<'_>) ->
     }
 }
 
-/// Reads the mesh in the order of its own memory (walking it would wait for memory at every step), then sorts
-/// triangles and edges by their lowest site: neighbours in the plane are then neighbours in memory.
+/// Reads the mesh in the order of its own memory (walking it would wait for memory at every step), and puts triangles
+/// and edges in the order of their lowest site: neighbours in the plane are then neighbours in memory. Reading the mesh
+/// once for each array is cheaper than fresh memory for what was read.
 fn read(mesh: &Mesh, sequence: &[u32], watch: Watch<'_>) -> Result<Topology> {
-    let (edges, (triangles, triangle_of)) =
-        parallel::join(sequence.len(), || Edges::read(mesh, sequence, watch), || read_triangles(mesh, sequence));
-    let Edges { rows, places } = edges?;
-    let mut topology = Topology { triangles, edges: vec![[0; 2]; rows.len()], dual_edges: vec![[0; 2]; rows.len()] };
-    for ([from, to, right, left], place) in rows.into_iter().zip(places) {
-        topology.edges[place as usize] = [from, to];
-        topology.dual_edges[place as usize] = [triangle_of[right as usize], triangle_of[left as usize]];
+    let ((edges, places), (triangles, triangle_of)) = parallel::join(
+        sequence.len(),
+        || {
+            let places = Places::count(lowest_ends(mesh, sequence), sequence.len());
+            (read_edges(mesh, sequence, places.clone(), watch), places)
+        },
+        || read_triangles(mesh, sequence),
+    );
+    let dual_edges = read_dual_edges(mesh, sequence, places, &triangle_of, watch)?;
+    Ok(Topology { triangles, edges: edges?, dual_edges })
+}
+
+fn lowest_ends<'a>(mesh: &'a Mesh, sequence: &'a [u32]) -> impl Iterator<Item = u32> + 'a {
+    let site = |vertex: usize| sequence[vertex];
+    mesh.undirected_edges().map(move |edge| {
+        let [a, b] = edge.vertices();
+        site(a.index()).min(site(b.index()))
+    })
+}
+
+/// From and to of every edge.
+fn read_edges(mesh: &Mesh, sequence: &[u32], mut places: Places, watch: Watch<'_>) -> Result<Vec<[i32; 2]>> {
+    let mut edges = vec![[0; 2]; mesh.num_undirected_edges()];
+    for (step, edge) in mesh.undirected_edges().enumerate() {
+        watch.poll_at(step)?;
+        let edge = edge.as_directed();
+        let [from, to] = [edge.from(), edge.to()].map(|end| sequence[end.index()]);
+        edges[places.take(from.min(to))] = [from as i32, to as i32];
     }
-    Ok(topology)
+    Ok(edges)
 }
 
-/// Edges in the mesh's order, and their places when sorted by the lower end.
-struct Edges {
-    /// From, to, and the faces on the right and on the left.
-    rows: Vec<[i32; 4]>,
-    places: Vec<i32>,
-}
-
-impl Edges {
-    fn read(mesh: &Mesh, sequence: &[u32], watch: Watch<'_>) -> Result<Self> {
-        let site = |vertex: usize| sequence[vertex] as i32;
-        let mut rows = Vec::with_capacity(mesh.num_undirected_edges());
-        for (step, edge) in mesh.undirected_edges().enumerate() {
-            watch.poll_at(step)?;
-            let edge = edge.as_directed();
-            let faces = [edge.rev(), edge].map(|side| side.face().fix().index() as i32);
-            rows.push([site(edge.from().index()), site(edge.to().index()), faces[0], faces[1]]);
-        }
-        let places = sorted_places(rows.iter().map(|row| row[0].min(row[1])), sequence.len());
-        Ok(Self { rows, places })
+/// The triangles on the right and on the left of every edge.
+fn read_dual_edges(
+    mesh: &Mesh,
+    sequence: &[u32],
+    mut places: Places,
+    triangle_of: &[i32],
+    watch: Watch<'_>,
+) -> Result<Vec<[i32; 2]>> {
+    let mut dual_edges = vec![[0; 2]; mesh.num_undirected_edges()];
+    for (step, (edge, lowest)) in mesh.undirected_edges().zip(lowest_ends(mesh, sequence)).enumerate() {
+        watch.poll_at(step)?;
+        let edge = edge.as_directed();
+        dual_edges[places.take(lowest)] = [edge.rev(), edge].map(|side| triangle_of[side.face().index()]);
     }
+    Ok(dual_edges)
 }
 
-/// Triangles sorted by their lowest corner, and the number of every face (-1 for the outside).
+/// Triangles, and the number of every face (-1 for the outside).
 fn read_triangles(mesh: &Mesh, sequence: &[u32]) -> (Vec<[i32; 3]>, Vec<i32>) {
-    let corners: Vec<[i32; 3]> =
-        mesh.inner_faces().map(|face| face.vertices().map(|vertex| sequence[vertex.index()] as i32)).collect();
-    let lowest = corners.iter().map(|&[a, b, c]| a.min(b).min(c));
-    let places = sorted_places(lowest, sequence.len());
+    let corners: Vec<[u32; 3]> =
+        mesh.inner_faces().map(|face| face.vertices().map(|vertex| sequence[vertex.index()])).collect();
+    let lowest = |[a, b, c]: [u32; 3]| a.min(b).min(c);
+    let mut places = Places::count(corners.iter().map(|&corners| lowest(corners)), sequence.len());
     let mut triangles = vec![[0; 3]; corners.len()];
     let mut triangle_of = vec![-1; mesh.num_all_faces()];
-    for ((face, corners), place) in mesh.inner_faces().zip(corners).zip(places) {
-        triangles[place as usize] = corners;
-        triangle_of[face.index()] = place;
+    for (face, corners) in mesh.inner_faces().zip(corners) {
+        let place = places.take(lowest(corners));
+        triangles[place] = corners.map(|corner| corner as i32);
+        triangle_of[face.index()] = place as i32;
     }
     (triangles, triangle_of)
 }
 
-/// The place of each item when sorted by its key, which is less than `keys`, stably.
-fn sorted_places(items: impl Iterator<Item = i32> + Clone, keys: usize) -> Vec<i32> {
-    let mut next = vec![0_i32; keys + 1];
-    for key in items.clone() {
-        next[key as usize + 1] += 1;
+/// Where items go when sorted by a small key, stably.
+#[derive(Clone)]
+struct Places {
+    /// The next place of each key.
+    next: Vec<u32>,
+}
+
+impl Places {
+    /// For items with `items` as their keys, each less than `keys`.
+    fn count(items: impl Iterator<Item = u32>, keys: usize) -> Self {
+        let mut next = vec![0_u32; keys];
+        for key in items {
+            next[key as usize] += 1;
+        }
+        let mut places = 0;
+        for slot in &mut next {
+            places += std::mem::replace(slot, places);
+        }
+        Self { next }
     }
-    for i in 1..next.len() {
-        next[i] += next[i - 1];
-    }
-    let take = |key: i32| {
-        let place = &mut next[key as usize];
+
+    /// The place of the next item with this key.
+    #[inline]
+    fn take(&mut self, key: u32) -> usize {
+        let place = &mut self.next[key as usize];
         *place += 1;
-        *place - 1
-    };
-    items.map(take).collect()
+        *place as usize - 1
+    }
 }

@@ -18,13 +18,15 @@ pub(super) fn vertices(sites: &[Point], topology: &Topology) -> Vec<Point> {
         let [a, b, c] = topology.triangles[t];
         circumcentre(corner(a), corner(b), corner(c))
     });
-    let mut coincident = topology.edges.iter().zip(&topology.dual_edges).filter(|(edge, dual)| {
-        !dual.contains(&-1) && coincide(vertices[dual[0] as usize], vertices[dual[1] as usize], corner(edge[0]))
-    });
-    if let Some(first) = coincident.next() {
+    let coincident = |k: usize| {
+        let ([right, left], site) = (topology.dual_edges[k], topology.edges[k][0]);
+        right != -1 && left != -1 && coincide(vertices[right as usize], vertices[left as usize], corner(site))
+    };
+    if let Some(first) = parallel::first(topology.edges.len(), coincident) {
         let mut sets = DisjointSets::new(vertices.len());
-        for (_, dual) in std::iter::once(first).chain(coincident) {
-            sets.unite(dual[0] as usize, dual[1] as usize);
+        for k in (first..topology.edges.len()).filter(|&k| coincident(k)) {
+            let [right, left] = topology.dual_edges[k];
+            sets.unite(right as usize, left as usize);
         }
         for triangle in 0..vertices.len() {
             vertices[triangle] = vertices[sets.lowest(triangle)];
