@@ -48,7 +48,12 @@ fn main() {
             let d = diagram(&points, Watch::default()).unwrap();
             print!("{n:>8} {name:>8} {:>14.0}", whole * 1e9 / n as f64);
             for (method, run) in METHODS {
-                print!("   {method} {:.3}", least(3, || drop(black_box(run(d.view())))) / whole);
+                print!(
+                    "   {method} {:.3}",
+                    least(3, || {
+                        black_box(run(d.view()));
+                    }) / whole
+                );
             }
             println!();
         }
