@@ -5,9 +5,9 @@
 //! that is allowed answers it with one look at the neighbourhood.
 
 use super::boxes::{Boxes, Disc};
+use super::flood::{Cells, Found};
 use super::one_step::{one_step, opposite};
 use super::pencil::Pencil;
-use crate::diagram::scale::{Scale, largest};
 use crate::diagram::{DiagramView, curve_order, representatives};
 use crate::error::Result;
 use crate::graph::Point;
@@ -37,7 +37,7 @@ pub struct Local {
 /// Amenta, Bern, Eppstein: The Crust and the Beta-Skeleton (1998); thesis, section 4.1.
 pub fn two_pass(view: DiagramView<'_>) -> Result<Vec<bool>> {
     let one_step = one_step(view)?;
-    Ok(Places::of(view).crust(&one_step))
+    Ok(crust(&Cells::of(view), &one_step))
 }
 
 /// Two-pass crust and edge-filtered axis at once.
@@ -52,117 +52,125 @@ pub fn two_pass(view: DiagramView<'_>) -> Result<Vec<bool>> {
 /// Thesis, section 5.2.
 pub fn edge_filter(view: DiagramView<'_>) -> Result<Local> {
     let one_step = one_step(view)?;
-    let mut places = Places::of(view);
-    let sites: Vec<Point> = (0..view.sites.len() as i32).map(|site| places.site(site)).collect();
-    places.sites = Boxes::new(along_curve(&sites));
-    Ok(Local { crust: places.crust(&one_step), axis: places.axis(&one_step) })
+    let cells = Cells::of(view);
+    Ok(Local { crust: crust(&cells, &one_step), axis: axis(&cells, &one_step) })
 }
 
-/// Sites and distinct Voronoi vertices near 1, and where to find them.
-struct Places<'a> {
-    view: DiagramView<'a>,
-    scale: Scale,
-    /// Vertices among the sites, and those far from all of them: these would spoil the boxes of the others.
-    near: Boxes,
-    far: Boxes,
-    /// For the axis only.
-    sites: Boxes,
+/// Whether edges are crust: by walks, and by search where a walk gives up.
+fn crust(cells: &Cells<'_>, one_step: &[bool]) -> Vec<bool> {
+    decide(cells, one_step.len(), |k| if one_step[k] { Some(crust_pencil(cells, k)) } else { None })
 }
 
-impl<'a> Places<'a> {
-    fn of(view: DiagramView<'a>) -> Self {
-        let scale = Scale::of(largest(view.sites));
-        let mut places = Self { view, scale, near: Boxes::default(), far: Boxes::default(), sites: Boxes::default() };
-        let [low, high] = places.frame();
-        let representative = representatives(view);
-        let distinct = (0..view.vertices.len()).filter(|&t| representative[t] as usize == t);
-        let inside = |v: &Point| (0..2).all(|axis| low[axis] <= v[axis] && v[axis] <= high[axis]);
-        let (near, far): (Vec<Point>, Vec<Point>) = distinct.map(|t| places.vertex(t as i32)).partition(inside);
-        // In an order of their own: along a curve, vertices of neighbouring triangles lie on both sides of it, far apart.
-        (places.near, places.far) = (Boxes::new(along_curve(&near)), Boxes::new(along_curve(&far)));
-        places
-    }
-
-    /// The bounding box of the sites, grown by half its size.
-    fn frame(&self) -> [Point; 2] {
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for &p in self.view.sites {
-            let p = self.scale.down(p);
-            low = [low[0].min(p[0]), low[1].min(p[1])];
-            high = [high[0].max(p[0]), high[1].max(p[1])];
-        }
-        let margin = 0.5 * (high[0] - low[0]).max(high[1] - low[1]);
-        [low.map(|x| x - margin), high.map(|x| x + margin)]
-    }
-
-    fn site(&self, i: i32) -> Point {
-        self.scale.down(self.view.sites[i as usize])
-    }
-
-    fn vertex(&self, t: i32) -> Point {
-        pulled_in(self.scale.down(self.view.vertices[t as usize]))
-    }
-
-    fn crust(&self, one_step: &[bool]) -> Vec<bool> {
-        parallel::map(one_step.len(), |k| one_step[k] && self.is_crust(k))
-    }
-
-    fn axis(&self, one_step: &[bool]) -> Vec<bool> {
-        parallel::map(one_step.len(), |k| !one_step[k] && self.is_axis(k))
-    }
-
-    fn is_crust(&self, k: usize) -> bool {
-        let [p, q] = self.view.edges[k];
-        let mut pencil = Pencil::new(self.site(p), self.site(q));
-        for t in self.view.dual_edges[k].into_iter().filter(|&t| t != -1) {
-            // Circles empty of sites are those between the two triangles'; then the vertices of these.
-            pencil.cut(self.site(opposite(self.view.triangles[t as usize], p, q)));
-            pencil.cut(self.vertex(t));
-        }
-        leaves_some(pencil, |_, disc, wanted| self.find_vertex(disc, wanted))
-    }
-
-    fn is_axis(&self, k: usize) -> bool {
-        let [right, left] = self.view.dual_edges[k];
-        if right == -1 || left == -1 {
-            return false;
-        }
-        let [from, to] = [right, left].map(|t| self.vertex(t));
-        if from == to {
-            return false;
-        }
-        let mut pencil = Pencil::new(from, to);
-        self.view.edges[k].into_iter().for_each(|site| pencil.cut(self.site(site)));
-        // The middle of a dual edge is on the border of two cells: no site is nearer to it than theirs, which are outside
-        // the smallest circle.
-        leaves_some(pencil, |tau, disc, wanted| {
-            let site = || if tau == 0.0 { None } else { self.sites.find(disc, wanted) };
-            self.find_vertex(disc, wanted).or_else(site)
-        })
-    }
-
-    fn find_vertex(&self, disc: Disc, wanted: &dyn Fn(Point) -> bool) -> Option<Point> {
-        self.near.find(disc, wanted).or_else(|| self.far.find(disc, wanted))
-    }
+/// Whether dual edges are axis.
+fn axis(cells: &Cells<'_>, one_step: &[bool]) -> Vec<bool> {
+    decide(cells, one_step.len(), |k| if one_step[k] { None } else { axis_pencil(cells, k) })
 }
 
-fn along_curve(points: &[Point]) -> Vec<Point> {
-    curve_order(points).into_iter().map(|row| points[row as usize]).collect()
+/// The circles through the ends of an edge that are empty of sites, which are those between the circumcircles of its
+/// triangles, and of its own two Voronoi vertices.
+fn crust_pencil(cells: &Cells<'_>, k: usize) -> Pencil {
+    let [p, q] = cells.view.edges[k];
+    let mut pencil = Pencil::new(cells.sites[p as usize], cells.sites[q as usize]);
+    for t in cells.view.dual_edges[k].into_iter().filter(|&t| t != -1) {
+        pencil.cut(cells.sites[opposite(cells.view.triangles[t as usize], p, q) as usize]);
+        pencil.cut(cells.vertices[t as usize]);
+    }
+    pencil
 }
 
-/// Cuts a pencil by the points that `find` finds in its circles until one is empty or none is left.
-fn leaves_some(mut pencil: Pencil, find: impl Fn(f64, Disc, &dyn Fn(Point) -> bool) -> Option<Point>) -> bool {
+/// The circles through the ends of a dual edge that do not hold its own two sites; None without two different ends.
+fn axis_pencil(cells: &Cells<'_>, k: usize) -> Option<Pencil> {
+    let [right, left] = cells.view.dual_edges[k];
+    if right == -1 || left == -1 {
+        return None;
+    }
+    let [from, to] = [right, left].map(|t| cells.vertices[t as usize]);
+    let mut pencil = Pencil::new(from, to);
+    cells.view.edges[k].into_iter().for_each(|site| pencil.cut(cells.sites[site as usize]));
+    (from != to).then_some(pencil)
+}
+
+/// Whether the pencil of each row, where it has one, leaves a circle.
+fn decide(cells: &Cells<'_>, rows: usize, pencil: impl Fn(usize) -> Option<Pencil> + Sync) -> Vec<bool> {
+    let walked = parallel::map(rows, |k| match pencil(k) {
+        None => Some(false),
+        // Both cells of the edge meet every circle of either pencil: the dual edge is a chord of it, or goes through
+        // its centre.
+        Some(pencil) => leaves_some(pencil, |disc, inside| match cells.find(k, disc, inside) {
+            Found::Nothing => Some(None),
+            Found::Inside(v) => Some(Some(v)),
+            Found::TooMany => None,
+        }),
+    });
+    let hard: Vec<usize> = (0..rows).filter(|&k| walked[k].is_none()).collect();
+    let mut decided: Vec<bool> = walked.into_iter().map(|found| found == Some(true)).collect();
+    if !hard.is_empty() {
+        let places = Places::of(cells);
+        let searched = parallel::map(hard.len(), |i| {
+            let pencil = pencil(hard[i])?;
+            leaves_some(pencil, |disc, inside| Some(places.find(disc, inside)))
+        });
+        for (k, found) in hard.into_iter().zip(searched) {
+            decided[k] = found == Some(true);
+        }
+    }
+    decided
+}
+
+/// Cuts a pencil by the points that `find` finds in its circles until one is empty or none is left. `find` gives None
+/// when it cannot tell.
+fn leaves_some(
+    mut pencil: Pencil,
+    find: impl Fn(Disc, &dyn Fn(Point) -> bool) -> Option<Option<Point>>,
+) -> Option<bool> {
     for _ in 0..CUTS {
         if pencil.is_empty() {
-            return false;
+            return Some(false);
         }
         let tau = pencil.choose();
-        match find(tau, pencil.disc(tau), &|v| pencil.holds(tau, v)) {
-            None => return true,
+        match find(pencil.disc(tau), &|v| pencil.holds(tau, v))? {
+            None => return Some(true),
             Some(v) => pencil.cut(v),
         }
     }
-    !pencil.is_empty()
+    Some(!pencil.is_empty())
+}
+
+/// Sites and distinct Voronoi vertices, boxed.
+struct Places {
+    /// Vertices among the sites, and those far from all of them: these would spoil the boxes of the others.
+    near: Boxes,
+    far: Boxes,
+    sites: Boxes,
+}
+
+impl Places {
+    fn of(cells: &Cells<'_>) -> Self {
+        let [low, high] = frame(&cells.sites);
+        let representative = representatives(cells.view);
+        let distinct = (0..cells.vertices.len()).filter(|&t| representative[t] as usize == t);
+        let inside = |v: &Point| (0..2).all(|axis| low[axis] <= v[axis] && v[axis] <= high[axis]);
+        let (near, far): (Vec<Point>, Vec<Point>) = distinct.map(|t| cells.vertices[t]).partition(inside);
+        // In an order of their own: along a curve, vertices of neighbouring triangles lie on both sides of it, far apart.
+        let boxes =
+            |points: &[Point]| Boxes::new(curve_order(points).into_iter().map(|row| points[row as usize]).collect());
+        Self { near: boxes(&near), far: boxes(&far), sites: boxes(&cells.sites) }
+    }
+
+    fn find(&self, disc: Disc, wanted: &dyn Fn(Point) -> bool) -> Option<Point> {
+        [&self.near, &self.far, &self.sites].into_iter().find_map(|boxes| boxes.find(disc, wanted))
+    }
+}
+
+/// The bounding box of the sites, grown by half its size.
+fn frame(sites: &[Point]) -> [Point; 2] {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for p in sites {
+        low = [low[0].min(p[0]), low[1].min(p[1])];
+        high = [high[0].max(p[0]), high[1].max(p[1])];
+    }
+    let margin = 0.5 * (high[0] - low[0]).max(high[1] - low[1]);
+    [low.map(|x| x - margin), high.map(|x| x + margin)]
 }
 
 /// Vertices beyond this are moved in to it along their direction: for circles of any smaller radius a vertex that far

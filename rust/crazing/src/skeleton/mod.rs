@@ -1,6 +1,7 @@
 //! Curves and skeletons of point samples, one method a file.
 
 mod boxes;
+mod flood;
 mod local;
 mod one_step;
 mod pencil;
