@@ -2,6 +2,7 @@
 
 use crate::diagram::DiagramView;
 use crate::error::{Error, Result};
+use crate::parallel;
 use crate::rng::{Key, Rng, stream};
 use crate::watch::Watch;
 
@@ -19,7 +20,7 @@ pub struct Maze {
 /// Rows whose dual edge has a length: a cell cannot be left through a point.
 pub fn voronoi_doors(view: DiagramView<'_>) -> Vec<bool> {
     let point = |[a, b]: [i32; 2]| a != -1 && b != -1 && view.vertices[a as usize] == view.vertices[b as usize];
-    view.dual_edges.iter().map(|&dual| !point(dual)).collect()
+    parallel::map(view.dual_edges.len(), |k| !point(view.dual_edges[k]))
 }
 
 /// Carves a maze through `cells` cells. Row `k` of `sides` holds the two cells of door `k`; it is a door when `door[k]`
@@ -53,7 +54,7 @@ pub fn carve(
     let neighbours = Neighbours::of(cells, sides, door);
     let passages = Search::new(neighbours, rng).run(start, watch)?;
     let mut open = vec![false; sides.len()];
-    for &(_, door) in opened(&passages, opening, key).iter() {
+    for door in opened(&passages, opening, key) {
         open[door as usize] = true;
     }
     let passages = passages.into_iter().map(|(ends, _)| ends).collect();
@@ -63,19 +64,19 @@ pub fn carve(
 /// A passage: parent and child, and the door between them.
 type Passage = ([i32; 2], u32);
 
-/// `opening` of all passages, drawn without return.
-fn opened(passages: &[Passage], opening: f64, key: Key) -> Vec<Passage> {
-    let mut chosen = passages.to_vec();
-    let wanted = (opening * passages.len() as f64).round() as usize;
-    if wanted < chosen.len() {
+/// The doors of `opening` of all passages, drawn without return.
+fn opened(passages: &[Passage], opening: f64, key: Key) -> Vec<u32> {
+    let mut doors: Vec<u32> = passages.iter().map(|&(_, door)| door).collect();
+    let wanted = (opening * doors.len() as f64).round() as usize;
+    if wanted < doors.len() {
         let mut rng = Rng::new(key, stream::OPENING);
         for i in 0..wanted {
-            let other = i + rng.below((chosen.len() - i) as u32) as usize;
-            chosen.swap(i, other);
+            let other = i + rng.below((doors.len() - i) as u32) as usize;
+            doors.swap(i, other);
         }
-        chosen.truncate(wanted);
+        doors.truncate(wanted);
     }
-    chosen
+    doors
 }
 
 /// The cells along the shortest way from `source` to `target` through open doors, by breadth-first search; empty when
@@ -156,16 +157,20 @@ impl Neighbours {
         let doors = || (0..sides.len()).filter(|&k| door[k] && !sides[k].contains(&-1));
         let mut cell_of = Vec::with_capacity(cells);
         let mut rank_of = vec![u32::MAX; cells];
-        for cell in doors().flat_map(|k| sides[k]).chain(0..cells as i32) {
-            if rank_of[cell as usize] == u32::MAX {
-                rank_of[cell as usize] = cell_of.len() as u32;
+        let mut rank = |cell: i32| {
+            let rank = &mut rank_of[cell as usize];
+            if *rank == u32::MAX {
+                *rank = cell_of.len() as u32;
                 cell_of.push(cell);
             }
-        }
+            *rank as usize
+        };
         let mut starts = vec![0_u32; cells + 2];
-        for rank in doors().flat_map(|k| sides[k]).map(|cell| rank_of[cell as usize] as usize) {
-            starts[rank + 2] += 1;
+        for cell in doors().flat_map(|k| sides[k]) {
+            starts[rank(cell) + 2] += 1;
         }
+        // Cells without a door come last.
+        (0..cells as i32).for_each(|cell| _ = rank(cell));
         for i in 2..starts.len() {
             starts[i] += starts[i - 1];
         }
