@@ -148,7 +148,8 @@ def _two_pass_mask(diagram: Diagram) -> Mask:
 
 
 def _crust_graph(diagram: Diagram, mask: Mask) -> PlanarGraph:
-    return PlanarGraph(diagram.sites, diagram.edges[mask])
+    # Several times faster than indexing with the mask.
+    return PlanarGraph(diagram.sites, np.compress(mask, diagram.edges, axis=0))
 
 
 def _axis_graph(diagram: Diagram, mask: Mask) -> PlanarGraph:
