@@ -12,9 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 from crazing import _core
 from crazing import rng as _rng
 from crazing.arguments import choice, count, number
-from crazing.diagram import Diagram, as_diagram, bounds_of
+from crazing.diagram import Arrays, Diagram, as_tiling, bounds_of, tiled
 from crazing.graph import PlanarGraph
 from crazing.record import Record
+
+TREES = ("depth-first", "kruskal", "prim", "wilson")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -31,11 +33,12 @@ class Maze(Record):
         Whether the door at edge `k` of the diagram is open. Dual edges without length are no doors of Voronoi cells (a
         cell cannot be left through a point), edges of the hull no doors of triangles.
     passages : (cells - components, 2) int32
-        The spanning tree of the search, parent and child, in the order of carving.
+        The spanning tree, two cells a passage, in the order of carving: parent and child, except of Kruskal's tree,
+        which has no root.
     start : int
         The cell the search started from; -1 when there is no cell.
     bounds : (xmin, ymin, xmax, ymax)
-        What the walls of Voronoi cells are clipped to.
+        What the walls of Voronoi cells are clipped to; of a periodic maze, one period.
     """
 
     diagram: Diagram
@@ -49,11 +52,17 @@ class Maze(Record):
     def walls(self) -> PlanarGraph:
         """The shut doors: dual edges clipped to the bounds, or Delaunay edges.
 
-        Vertices are those of `Diagram.voronoi`, or the sites.
+        Vertices are those of `Diagram.voronoi`, or the sites. Walls of a periodic maze are those of one period, cut
+        where they leave it and going on at the opposite side: pictures of it side by side fit.
         """
+        d, shut = self.diagram, ~self.open
+        if d.period is not None and self.cells == "delaunay":
+            return tiled(d.sites, d.edges[shut], d.shifts[shut], d.period)
+        if d.period is not None:
+            return tiled(d.vertices, d.dual_edges[shut], d.dual_shifts[shut], d.period)
         if self.cells == "delaunay":
-            return PlanarGraph(self.diagram.sites, self.diagram.edges[~self.open])
-        vertices, edges, _ = _core.dual_edges(self.diagram.arrays, self.bounds, ~self.open)
+            return PlanarGraph(d.sites, d.edges[shut])
+        vertices, edges, _ = _core.dual_edges(d.arrays, self.bounds, shut)
         return PlanarGraph(vertices, edges)
 
     def solve(self, source: int, target: int) -> NDArray[np.int32]:
@@ -83,7 +92,72 @@ class Maze(Record):
         (0, 40)
         """
         ends = count(source, "source"), count(target, "target")
-        return _core.solve(self.diagram.arrays, self.cells == "delaunay", self.open, *ends)
+        return _core.solve(*self._doors, *ends)
+
+    def distances(self, source: int | None = None) -> NDArray[np.int32]:
+        """Count the doors between a cell and every other.
+
+        Parameters
+        ----------
+        source : int, optional
+            A cell; by default `start`.
+
+        Returns
+        -------
+        (cells,) int32
+            Open doors to pass on the shortest way; -1 where none leads.
+
+        Raises
+        ------
+        CrazingError
+            If `source` is no cell.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> m = cz.maze([(float(i), 0.0) for i in range(4)], rng=0)
+        >>> m.distances(1)
+        array([1, 0, 1, 2], dtype=int32)
+        """
+        source = self.start if source is None else count(source, "source")
+        if source < 0:  # There is no cell to start from.
+            return np.empty(0, dtype=np.int32)
+        return _core.distances(*self._doors, source)
+
+    def longest(self) -> NDArray[np.int32]:
+        """Find the longest way that the maze has: its ends make the hardest entrance and exit.
+
+        Returns
+        -------
+        (k,) int32
+            The cells along it.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> m = cz.maze(cz.sample.uniform(50, rng=2), rng=2)
+        >>> way = m.longest()
+        >>> bool(len(way) == m.distances(way[0]).max() + 1)
+        True
+        """
+        return _core.longest(*self._doors)
+
+    @property
+    def _doors(self) -> tuple[Arrays, bool, NDArray[np.bool_]]:
+        """The arguments that every search begins with."""
+        return self.diagram.arrays, self.cells == "delaunay", self.open
+
+    @property
+    def size(self) -> int:
+        """Number of cells."""
+        return len(self.diagram.triangles if self.cells == "delaunay" else self.diagram.sites)
+
+    @property
+    def centres(self) -> NDArray[np.float64]:
+        """(cells, 2) float64, a point in every cell: its site, or the centroid of its triangle."""
+        if self.cells == "voronoi":
+            return self.diagram.sites
+        return np.asarray(self.diagram.sites[self.diagram.triangles].mean(axis=1))
 
     def plot(self, ax: Any = None, **line_style: Any) -> Any:
         """Draw the walls on Matplotlib axes.
@@ -107,20 +181,21 @@ class Maze(Record):
         return self.walls.plot(ax, **line_style)
 
     def __repr__(self) -> str:
-        size = len(self.diagram.triangles if self.cells == "delaunay" else self.diagram.sites)
-        return f"Maze({size} {self.cells} cells, {int(self.open.sum())} open doors, start {self.start})"
+        return f"Maze({self.size} {self.cells} cells, {int(self.open.sum())} open doors, start {self.start})"
 
 
 def maze(
     points: ArrayLike | Diagram,
     *,
     cells: str = "voronoi",
+    tree: str = "depth-first",
     start: int | None = None,
     opening: float = 1.0,
     bounds: ArrayLike | None = None,
+    period: ArrayLike | None = None,
     rng: _rng.RNG = None,
 ) -> Maze:
-    """Carve a maze through the cells of a diagram by depth-first search.
+    """Carve a maze through the cells of a diagram: one way between any two cells.
 
     Parameters
     ----------
@@ -129,20 +204,25 @@ def maze(
     cells : {"voronoi", "delaunay"}
         What a cell is. The two are one algorithm with the columns of the edge table exchanged. Points on one line have
         Voronoi cells, but no triangles.
+    tree : {"depth-first", "kruskal", "prim", "wilson"}
+        How the tree of passages grows. Depth-first has long winding ways and few dead ends, Prim many short ones,
+        Kruskal lies between; Wilson draws every spanning tree with the same chance, and takes the longest.
     start : int, optional
-        The cell to start from; drawn by default.
+        The cell to start from; drawn by default. Kruskal's tree does not depend on it.
     opening : float, optional
         The share of the passages whose door is really opened, from 0 (every wall stands) to 1 (the thesis: one way
         between any two cells).
     bounds : (xmin, ymin, xmax, ymax), optional
         What the walls of Voronoi cells are clipped to. By default the bounding box of the points, grown by a tenth.
+    period : (width, height), optional
+        Carve on a torus: ways leave on one side and come in on the opposite one, see :func:`crazing.diagram`.
     rng : int, numpy.random.Generator or None, optional
         Seed. The same seed gives the same maze on every platform.
 
     Returns
     -------
     Maze
-        Truly depth-first: every shut door joins a cell and an ancestor of it in the tree of passages.
+        Depth-first truly: every shut door joins a cell and an ancestor of it in the tree of passages.
 
     Raises
     ------
@@ -153,7 +233,8 @@ def maze(
 
     Notes
     -----
-    Source: thesis, sections 7.1 and 7.2.
+    Source: thesis, sections 7.1 and 7.2. Kruskal 1956; Prim 1957; Wilson: Generating Random Spanning Trees More
+    Quickly than the Cover Time (1996).
 
     Examples
     --------
@@ -166,7 +247,15 @@ def maze(
         start = count(start, "start")
     opening = number(opening, "opening", low=0, high=1)
     delaunay = choice(cells, "cells", ("voronoi", "delaunay")) == "delaunay"
-    diagram = as_diagram(points)
+    choice(tree, "tree", TREES)
+    diagram = as_tiling(points, period)
     box = bounds_of(diagram, bounds)
-    carved = _core.carve(diagram.arrays, delaunay, start, opening, _rng.key(rng))
+    doors = None if diagram.period is None or delaunay else _torus_doors(diagram)
+    carved = _core.carve(diagram.arrays, delaunay, doors, tree, start, opening, _rng.key(rng))
     return Maze(diagram, cells, *carved, box)
+
+
+def _torus_doors(diagram: Diagram) -> NDArray[np.bool_]:
+    """Whether each dual edge has a length: it may join a vertex to a copy of itself, which is no point."""
+    right, left = diagram.vertices[diagram.dual_edges[:, 0]], diagram.vertices[diagram.dual_edges[:, 1]]
+    return np.asarray((right != left).any(axis=1) | diagram.dual_shifts.any(axis=1))

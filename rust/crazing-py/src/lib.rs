@@ -22,13 +22,13 @@ mod _core {
     #[pymodule_export]
     use crate::crack::crack;
     #[pymodule_export]
-    use crate::diagram::{diagram, dual_edges, onext};
+    use crate::diagram::{diagram, dual_edges, onext, periodic_diagram, tile};
     #[pymodule_export]
     use crate::graph::{graph_compact, graph_components, graph_degrees, graph_polylines};
     #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]
-    use crate::maze::{carve, solve};
+    use crate::maze::{carve, distances, longest, solve};
     #[pymodule_export]
     use crate::png::encode_png;
     #[pymodule_export]

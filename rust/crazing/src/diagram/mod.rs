@@ -3,12 +3,18 @@
 mod build;
 mod delaunay;
 mod order;
+mod periodic;
 pub mod scale;
+mod ties;
+mod tile;
+mod torus;
 mod vertices;
 
 pub use build::diagram;
 pub(crate) use build::triangulate_near_one;
 pub use order::insertion as insertion_order;
+pub use periodic::{PeriodicDiagram, periodic};
+pub use tile::tile;
 pub use vertices::representatives;
 
 use crate::error::{Error, Result};
