@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -11,10 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core
 from crazing import rng as _rng
-from crazing.arguments import choice, count, number
+from crazing.arguments import bounds_tuple, choice, count, number
 from crazing.diagram import Arrays, Diagram, as_tiling, bounds_of, tiled
 from crazing.graph import PlanarGraph
 from crazing.record import Record
+from crazing.region import Region, as_region
 
 TREES = ("depth-first", "kruskal", "prim", "wilson")
 
@@ -38,7 +39,11 @@ class Maze(Record):
     start : int
         The cell the search started from; -1 when there is no cell.
     bounds : (xmin, ymin, xmax, ymax)
-        What the walls of Voronoi cells are clipped to; of a periodic maze, one period.
+        What the walls of Voronoi cells are clipped to; of a periodic maze, one period; within a shape, its box.
+    region : Region or None
+        The shape that the maze is within.
+    rim : (k,) int32
+        The cells that lie on the outline of the shape.
     """
 
     diagram: Diagram
@@ -47,15 +52,20 @@ class Maze(Record):
     passages: NDArray[np.int32]
     start: int
     bounds: tuple[float, float, float, float]
+    region: Region | None = None
+    rim: NDArray[np.int32] = field(default_factory=lambda: np.empty(0, dtype=np.int32))
 
     @cached_property
     def walls(self) -> PlanarGraph:
         """The shut doors: dual edges clipped to the bounds, or Delaunay edges.
 
         Vertices are those of `Diagram.voronoi`, or the sites. Walls of a periodic maze are those of one period, cut
-        where they leave it and going on at the opposite side: pictures of it side by side fit.
+        where they leave it and going on at the opposite side: pictures of it side by side fit. Within a shape they are
+        the parts inside, and its outline with gaps at the `ends`.
         """
         d, shut = self.diagram, ~self.open
+        if self.region is not None:
+            return self._walls_within(self.region)
         if d.period is not None and self.cells == "delaunay":
             return tiled(d.sites, d.edges[shut], d.shifts[shut], d.period)
         if d.period is not None:
@@ -64,6 +74,33 @@ class Maze(Record):
             return PlanarGraph(d.sites, d.edges[shut])
         vertices, edges, _ = _core.dual_edges(d.arrays, self.bounds, shut)
         return PlanarGraph(vertices, edges)
+
+    def _walls_within(self, region: Region) -> PlanarGraph:
+        d = self.diagram
+        inner = _core.dual_edges_within(d.arrays, self.bounds, region.coords, region.offsets, ~self.open)
+        others = [d.edges[(d.edges == end).any(axis=1)] for end in self.ends]
+        pairs = [(d.sites[end], d.sites[rows[rows != end]]) for end, rows in zip(self.ends, others, strict=True)]
+        outline = region.opened(pairs)
+        vertices = np.concatenate([inner[0], outline.vertices])
+        return PlanarGraph(vertices, np.concatenate([inner[1], outline.edges + np.int32(len(inner[0]))]))
+
+    @cached_property
+    def ends(self) -> tuple[int, ...]:
+        """Entrance and exit: the two cells farthest apart, of those on the outline if the maze is within a shape.
+
+        None where there are no two such cells that a way joins.
+        """
+        if self.region is None:
+            way = self.longest()
+            return (int(way[0]), int(way[-1])) if len(way) > 1 else ()
+        # In a tree the cell farthest from any cell is an end of the longest way between cells of the rim.
+        first = self._farthest(self.start)
+        second = self._farthest(first)
+        return (first, second) if first != second else ()
+
+    def _farthest(self, source: int) -> int:
+        away = self.distances(source)[self.rim]
+        return int(self.rim[away.argmax()]) if len(away) and away.max() >= 0 else source
 
     def solve(self, source: int, target: int) -> NDArray[np.int32]:
         """Find the shortest way through open doors, breadth-first.
@@ -193,6 +230,7 @@ def maze(
     opening: float = 1.0,
     bounds: ArrayLike | None = None,
     period: ArrayLike | None = None,
+    within: Any = None,
     rng: _rng.RNG = None,
 ) -> Maze:
     """Carve a maze through the cells of a diagram: one way between any two cells.
@@ -216,6 +254,11 @@ def maze(
         What the walls of Voronoi cells are clipped to. By default the bounding box of the points, grown by a tenth.
     period : (width, height), optional
         Carve on a torus: ways leave on one side and come in on the opposite one, see :func:`crazing.diagram`.
+    within : optional
+        Carve in a shape: its ring as a (k, 2) array, a list of rings (a point in an odd number of them is inside, so
+        that a ring in a ring is a hole), a polygon of shapely or another object with `__geo_interface__`, GeoJSON, or
+        a picture (a mask of bools, or an image whose border is outside; in pixels, y up). Walls are clipped to it, and
+        only those that have a length inside are doors. A cell that the outline cuts into parts is still one cell.
     rng : int, numpy.random.Generator or None, optional
         Seed. The same seed gives the same maze on every platform.
 
@@ -249,10 +292,31 @@ def maze(
     delaunay = choice(cells, "cells", ("voronoi", "delaunay")) == "delaunay"
     choice(tree, "tree", TREES)
     diagram = as_tiling(points, period)
+    if within is not None:
+        if delaunay or bounds is not None or diagram.period is not None:
+            raise ValueError("within is for Voronoi cells without bounds and period")
+        return _within(diagram, as_region(within), tree, start, opening, _rng.key(rng))
     box = bounds_of(diagram, bounds)
     doors = None if diagram.period is None or delaunay else _torus_doors(diagram)
     carved = _core.carve(diagram.arrays, delaunay, doors, tree, start, opening, _rng.key(rng))
     return Maze(diagram, cells, *carved, box)
+
+
+def _within(
+    diagram: Diagram, region: Region, tree: str, start: int | None, opening: float, key: tuple[int, int]
+) -> Maze:
+    box = bounds_tuple(region.bounds, "the extent of within")
+    everything = np.ones(len(diagram.edges), dtype=bool)
+    found = _core.dual_edges_within(diagram.arrays, box, region.coords, region.offsets, everything)
+    rows, cut = found[2], found[3]
+    doors = np.zeros(len(diagram.edges), dtype=bool)
+    doors[rows] = True
+    inside = np.unique(diagram.edges[rows])
+    if start is None and len(inside):
+        start = int(inside[key[0] * len(inside) >> 64])
+    carved = _core.carve(diagram.arrays, False, doors, tree, start, opening, key)
+    rim = np.unique(diagram.edges[cut[doors[cut]]]).astype(np.int32)
+    return Maze(diagram, "voronoi", *carved, box, region, rim)
 
 
 def _torus_doors(diagram: Diagram) -> NDArray[np.bool_]:

@@ -9,6 +9,7 @@ mod graph;
 mod guard;
 mod maze;
 mod png;
+mod region;
 mod render;
 mod sample;
 mod skeleton;
@@ -31,6 +32,8 @@ mod _core {
     use crate::maze::{carve, distances, longest, solve};
     #[pymodule_export]
     use crate::png::encode_png;
+    #[pymodule_export]
+    use crate::region::{dual_edges_within, region_contains};
     #[pymodule_export]
     use crate::render::render;
     #[pymodule_export]
