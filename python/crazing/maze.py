@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -11,13 +12,39 @@ from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core
 from crazing import rng as _rng
-from crazing.arguments import bounds_tuple, choice, count, number
+from crazing.arguments import bounds_tuple, choice, count, number, period_pair
 from crazing.diagram import Arrays, Diagram, as_tiling, bounds_of, tiled
 from crazing.graph import PlanarGraph
 from crazing.record import Record
 from crazing.region import Region, as_region
+from crazing.sheet import sheet
 
 TREES = ("depth-first", "kruskal", "prim", "wilson")
+
+
+@dataclass(frozen=True)
+class MazeStatistics:
+    """Counts of a maze. Made by :attr:`crazing.Maze.statistics`.
+
+    Attributes
+    ----------
+    cells : int
+        Cells; of a maze within a shape those that have an open door.
+    dead_ends : int
+        Cells with one open door.
+    junctions : int
+        Cells with three open doors or more.
+    solution : int
+        Cells on the way between the `ends`; 0 when there is none.
+    winding : float
+        Length of that way over the straight distance between its ends.
+    """
+
+    cells: int
+    dead_ends: int
+    junctions: int
+    solution: int
+    winding: float
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -191,20 +218,126 @@ class Maze(Record):
 
     @property
     def centres(self) -> NDArray[np.float64]:
-        """(cells, 2) float64, a point in every cell: its site, or the centroid of its triangle."""
+        """(cells, 2) float64, a point of every cell: its site, or the centroid of its triangle.
+
+        Of triangles of a periodic maze, which may lie across a seam, the Voronoi vertex.
+        """
         if self.cells == "voronoi":
             return self.diagram.sites
+        if self.diagram.period is not None:  # Where corners lie on either side of a seam there is no mean of them.
+            return self.diagram.vertices
         return np.asarray(self.diagram.sites[self.diagram.triangles].mean(axis=1))
 
-    def plot(self, ax: Any = None, **line_style: Any) -> Any:
+    def path(self, way: ArrayLike) -> PlanarGraph:
+        """Draw a way: from cell to cell through the middle of each door.
+
+        Parameters
+        ----------
+        way : (k,) array_like of int
+            Cells, each the neighbour of the one before through an open door: what `solve` and `longest` give.
+
+        Returns
+        -------
+        PlanarGraph
+            Of a periodic maze, cut at the sides of the period and going straight from cell to cell.
+
+        Raises
+        ------
+        ValueError
+            If no open door joins two cells that follow one another.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> m = cz.maze([(float(i), 0.0) for i in range(4)], rng=0)
+        >>> m.path([0, 1, 2]).length
+        2.0
+        """
+        cells = np.asarray(way, dtype=np.int32)
+        sides = self.diagram.dual_edges if self.cells == "delaunay" else self.diagram.edges
+        rows = np.flatnonzero(self.open)
+        door = {frozenset(pair): int(row) for row, pair in zip(rows, sides[rows].tolist(), strict=True)}
+        steps = list(zip(cells[:-1].tolist(), cells[1:].tolist(), strict=True))
+        for a, b in steps:
+            if frozenset((a, b)) not in door:
+                raise ValueError(f"way goes from cell {a} to {b}; no open door joins them")
+        passed = np.array([door[frozenset(step)] for step in steps], dtype=np.intp)
+        if self.diagram.period is not None:
+            shifts = self.diagram.dual_shifts if self.cells == "delaunay" else self.diagram.shifts
+            return tiled(self.centres, sides[passed], shifts[passed], self.diagram.period)
+        points = np.empty((2 * len(passed) + 1, 2))
+        points[::2] = self.centres[cells]
+        points[1::2] = self._door_middles(passed)
+        line = np.arange(len(points), dtype=np.int32)
+        return PlanarGraph(points, np.column_stack([line[:-1], line[1:]]))
+
+    def _door_middles(self, rows: NDArray[np.intp]) -> NDArray[np.float64]:
+        """The middle of each door, of its longest part in the bounds; of a door beyond them its nearest end."""
+        d = self.diagram
+        if self.cells == "delaunay":
+            return np.asarray(d.sites[d.edges[rows]].mean(axis=1))
+        wanted = np.zeros(len(d.edges), dtype=bool)
+        wanted[rows] = True
+        if self.region is None:
+            vertices, edges, parts = _core.dual_edges(d.arrays, self.bounds, wanted)
+        else:
+            rings = self.region.coords, self.region.offsets
+            vertices, edges, parts, _ = _core.dual_edges_within(d.arrays, self.bounds, *rings, wanted)
+        order = np.argsort(PlanarGraph(vertices, edges).lengths, kind="stable")
+        middles = _nearest_ends(d)
+        middles[parts[order]] = vertices[edges[order]].mean(axis=1)
+        return np.asarray(middles[rows])
+
+    def _way(self, solution: bool | ArrayLike) -> NDArray[np.int32] | None:
+        """The way between the `ends` for True, none for False, else the cells given."""
+        if isinstance(solution, (bool, np.bool_)):
+            return self.solve(*self.ends) if solution and self.ends else None
+        return np.asarray(solution, dtype=np.int32)
+
+    @property
+    def statistics(self) -> MazeStatistics:
+        """What makes a maze hard: its dead ends, junctions, and the way between its `ends`.
+
+        Returns
+        -------
+        MazeStatistics
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> cz.maze([(float(i), 0.0) for i in range(4)], rng=0).statistics
+        MazeStatistics(cells=4, dead_ends=2, junctions=0, solution=4, winding=1.0)
+        """
+        sides = self.diagram.dual_edges if self.cells == "delaunay" else self.diagram.edges
+        doors = np.bincount(sides[self.open].ravel(), minlength=self.size)
+        reached = self.size if self.region is None else int((doors > 0).sum())
+        way = self._way(True)
+        counts = reached, int((doors == 1).sum()), int((doors > 2).sum())
+        if way is None:
+            return MazeStatistics(*counts, 0, 1.0)
+        straight = float(np.linalg.norm(self.centres[way[-1]] - self.centres[way[0]]))
+        return MazeStatistics(*counts, len(way), self.path(way).length / straight if straight else 1.0)
+
+    def plot(
+        self,
+        ax: Any = None,
+        *,
+        solution: bool | ArrayLike = False,
+        distances: bool | int = False,
+        **line_style: Any,
+    ) -> Any:
         """Draw the walls on Matplotlib axes.
 
         Parameters
         ----------
         ax : matplotlib.axes.Axes, optional
             A new figure's by default.
+        solution : bool or (k,) array_like of int
+            Draw the way between the `ends`, or the way given, in red.
+        distances : bool or int
+            Colour a dot in every cell by its distance from `start`, or from the cell given.
         **line_style
-            As for :meth:`crazing.PlanarGraph.plot`.
+            Of the walls, as for :meth:`crazing.PlanarGraph.plot`.
 
         Returns
         -------
@@ -213,9 +346,77 @@ class Maze(Record):
         Examples
         --------
         >>> import crazing as cz
-        >>> ax = cz.maze(cz.sample.uniform(50, rng=2), rng=2).plot(color="black")
+        >>> ax = cz.maze(cz.sample.uniform(50, rng=2), rng=2).plot(solution=True, distances=True, color="black")
         """
-        return self.walls.plot(ax, **line_style)
+        ax = self.walls.plot(ax, **line_style)
+        if distances is not False:
+            away = self.distances(None if distances is True else distances)
+            reached = away >= 0
+            ax.scatter(*self.centres[reached].T, c=away[reached], s=9, zorder=0)
+        way = self._way(solution)
+        if way is not None:
+            self.path(way).plot(ax, color="red")
+        return ax
+
+    def save(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        page: ArrayLike = (210.0, 297.0),
+        margin: float = 10.0,
+        pen: float = 0.5,
+        thickness: float | None = None,
+        solution: bool | ArrayLike = False,
+    ) -> None:
+        """Write the walls as a page in millimetres; an existing file is replaced.
+
+        Lines are joined as far as they go, none is there twice, and they follow one another so that a pen travels
+        little: on to the nearest end that is left.
+
+        Parameters
+        ----------
+        path : str or path-like
+            Its ending decides the format: `.svg`, `.dxf` (needs ezdxf, the extra `cad`), `.pdf` or `.png` (need
+            Matplotlib, the extra `plot`; 300 pixels an inch). Layers are named walls and solution.
+        page : (width, height)
+            Of the page, millimetres; A4 upright by default.
+        margin : float
+            Kept free on all sides, millimetres.
+        pen : float
+            Width of the lines, millimetres.
+        thickness : float, optional
+            Draw walls of this thickness, millimetres, as closed outlines (needs Shapely, the extra `graph`).
+        solution : bool or (k,) array_like of int
+            Draw the way between the `ends`, or the way given, as a layer of its own.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is of the wrong type or out of range, or the ending is another.
+        CrazingError
+            If there is no wall to be drawn.
+        OSError
+            If the file cannot be written; what stood there before is then untouched.
+        ImportError
+            If a package that the format needs is not installed.
+
+        Examples
+        --------
+        >>> import os, tempfile
+        >>> import crazing as cz
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = os.path.join(folder, "maze.svg")
+        ...     cz.maze(cz.sample.uniform(50, rng=2), rng=2).save(path, solution=True)
+        ...     with open(path) as file:
+        ...         print(file.readline()[:4])
+        <svg
+        """
+        size = period_pair(page, "page")
+        margin, pen = number(margin, "margin", low=0), number(pen, "pen", low=0)
+        thickness = None if thickness is None else number(thickness, "thickness", low=1e-3)
+        way = self._way(solution)
+        drawn = None if way is None else self.path(way)
+        sheet(self.walls, drawn, page=size, margin=margin, pen=pen, thickness=thickness).save(path)
 
     def __repr__(self) -> str:
         return f"Maze({self.size} {self.cells} cells, {int(self.open.sum())} open doors, start {self.start})"
@@ -323,3 +524,15 @@ def _torus_doors(diagram: Diagram) -> NDArray[np.bool_]:
     """Whether each dual edge has a length: it may join a vertex to a copy of itself, which is no point."""
     right, left = diagram.vertices[diagram.dual_edges[:, 0]], diagram.vertices[diagram.dual_edges[:, 1]]
     return np.asarray((right != left).any(axis=1) | diagram.dual_shifts.any(axis=1))
+
+
+def _nearest_ends(diagram: Diagram) -> NDArray[np.float64]:
+    """For each dual edge the end nearer to the two sites; their middle where both ends are at infinity."""
+    middles = diagram.sites[diagram.edges].mean(axis=1)
+    if not len(diagram.vertices):
+        return np.asarray(middles)
+    ends = diagram.vertices[diagram.dual_edges]
+    away = np.hypot(*np.moveaxis(ends - middles[:, None], 2, 0))
+    away[diagram.dual_edges < 0] = np.inf
+    nearest = ends[np.arange(len(ends)), away.argmin(axis=1)]
+    return np.asarray(np.where(np.isfinite(away.min(axis=1))[:, None], nearest, middles))
