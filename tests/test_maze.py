@@ -12,6 +12,8 @@ from scipy.sparse.csgraph import shortest_path
 
 import crazing as cz
 
+KINDS = ["voronoi", "delaunay"]
+
 
 def sides(m: cz.Maze) -> np.ndarray:
     return m.diagram.dual_edges if m.cells == "delaunay" else m.diagram.edges
@@ -68,6 +70,41 @@ def test_solution_is_scipys_shortest_way(cells: str) -> None:
         assert (way[0], way[-1]) == (source, target)
         assert len(way) == distance[source, target] + 1
         assert all(frozenset(step) in doors for step in zip(way[:-1].tolist(), way[1:].tolist(), strict=True))
+
+
+TREES = ["depth-first", "kruskal", "prim", "wilson"]
+
+
+@settings(max_examples=60, deadline=None)
+@given(n=st.integers(3, 80), seed=st.integers(0, 10**6), tree=st.sampled_from(TREES), cells=st.sampled_from(KINDS))
+def test_every_tree_spans_and_networkx_agrees_on_distances(n: int, seed: int, tree: str, cells: str) -> None:
+    m = cz.maze(cz.sample.uniform(n, rng=seed), cells=cells, tree=tree, rng=seed)
+    graph = nx.Graph(sides(m)[m.open].tolist())
+    graph.add_nodes_from(range(m.size))
+    assert nx.is_tree(graph)
+    found = nx.single_source_shortest_path_length(graph, m.start)
+    assert m.distances().tolist() == [found[cell] for cell in range(m.size)]
+    assert len(m.longest()) == nx.diameter(graph) + 1
+    assert len(m.solve(m.longest()[0], m.longest()[-1])) == len(m.longest())
+
+
+def test_trees_differ_as_makers_say() -> None:
+    d = cz.diagram(cz.sample.uniform(3000, rng=1))
+
+    def dead_ends(tree: str) -> int:
+        m = cz.maze(d, tree=tree, rng=1)
+        return int((np.bincount(m.passages.ravel()) == 1).sum())
+
+    assert dead_ends("depth-first") < dead_ends("wilson") < dead_ends("prim")
+    assert dead_ends("depth-first") < dead_ends("kruskal") < dead_ends("prim")
+
+
+def test_longest_of_shut_doors_is_one_cell_and_distances_tell_what_is_out_of_reach() -> None:
+    m = cz.maze(cz.sample.uniform(40, rng=1), opening=0, rng=1)
+    assert len(m.longest()) == 1
+    assert sorted(m.distances(7).tolist()) == [-1] * 39 + [0]
+    empty = cz.maze([])
+    assert (len(empty.longest()), len(empty.distances())) == (0, 0)
 
 
 def test_no_way_through_shut_doors_is_empty() -> None:

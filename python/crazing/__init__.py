@@ -8,7 +8,7 @@ from crazing.diagram import Diagram, QuadEdge, diagram
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.files import save_png
 from crazing.graph import PlanarGraph
-from crazing.maze import Maze, maze
+from crazing.maze import Maze, MazeStatistics, maze
 from crazing.render import Style, render
 from crazing.skeleton import Skeleton, crust, medial_axis
 from crazing.versions import algorithm_version, show_versions
@@ -21,6 +21,7 @@ __all__ = [
     "Diagram",
     "InternalError",
     "Maze",
+    "MazeStatistics",
     "PlanarGraph",
     "QuadEdge",
     "Skeleton",

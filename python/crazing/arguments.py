@@ -106,6 +106,20 @@ def bounds_tuple(value: Any, name: str = "bounds") -> tuple[float, float, float,
     return xmin, ymin, xmax, ymax
 
 
+def period_pair(value: Any, name: str = "period") -> tuple[float, float]:
+    """`value` as (width, height), both positive and finite."""
+    try:
+        parts = tuple(value)
+    except TypeError:
+        raise TypeError(f"{name} is {_found(value)}; (width, height) is wanted") from None
+    if len(parts) != 2:
+        raise ValueError(f"{name} has {len(parts)} entries; (width, height) is wanted")
+    width, height = (number(part, f"{name}[{i}]", low=0) for i, part in enumerate(parts))
+    if not (width > 0 and height > 0):
+        raise ValueError(f"{name} is {(width, height)}; a positive width and height are wanted")
+    return width, height
+
+
 def size_pair(value: Any, name: str = "size", *, limit: int = 1 << 16) -> tuple[int, int]:
     """`value` as (height, width) in pixels; one integer means a square."""
     try:

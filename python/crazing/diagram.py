@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core
-from crazing.arguments import bounds_tuple, points_array
+from crazing.arguments import bounds_tuple, period_pair, points_array
 from crazing.graph import PlanarGraph
 from crazing.record import Record
 
@@ -38,8 +38,14 @@ class Diagram(Record):
         run from the lower site to the higher.
     dual_edges : (m, 2) int32
         Rows of `vertices`: the triangle on the right of the edge and the one on its left; -1 is infinity.
+    period : (width, height) or None
+        Of a periodic diagram: what is repeated. Its sites and vertices lie in [0, width) x [0, height), it has no
+        outside, and two sites may have several edges, or one an edge to a copy of itself.
     shifts : (m, 2) int8
-        Periods that edge `k` crosses in x and y; zeros.
+        Periods that edge `k` crosses in x and y: it runs from ``sites[edges[k, 0]]`` to
+        ``sites[edges[k, 1]] + shifts[k] * period``. Zeros without a period.
+    dual_shifts : (m, 2) int8
+        The same for the dual edge, from the vertex on the right to the one on the left.
     """
 
     sites: NDArray[np.float64]
@@ -48,6 +54,9 @@ class Diagram(Record):
     vertices: NDArray[np.float64]
     edges: NDArray[np.int32]
     dual_edges: NDArray[np.int32]
+    shifts: NDArray[np.int8] = field(default=None)  # type: ignore[arg-type]
+    dual_shifts: NDArray[np.int8] = field(default=None)  # type: ignore[arg-type]
+    period: tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
         # The core takes C-contiguous arrays of these types, whoever made them.
@@ -55,12 +64,11 @@ class Diagram(Record):
             object.__setattr__(self, name, np.ascontiguousarray(getattr(self, name), dtype=np.float64))
         for name in ("site_of", "triangles", "edges", "dual_edges"):
             object.__setattr__(self, name, np.ascontiguousarray(getattr(self, name), dtype=np.int32))
+        for name in ("shifts", "dual_shifts"):
+            # Zeros that take no memory.
+            given = np.int8(0) if getattr(self, name) is None else getattr(self, name)
+            object.__setattr__(self, name, np.broadcast_to(np.asarray(given, dtype=np.int8), self.edges.shape))
         super().__post_init__()
-
-    @property
-    def shifts(self) -> NDArray[np.int8]:
-        """Periods crossed by each edge, (m, 2) int8: zeros, takes no memory."""
-        return np.broadcast_to(np.int8(0), self.edges.shape)
 
     @property
     def arrays(self) -> Arrays:
@@ -74,8 +82,13 @@ class Diagram(Record):
 
     @property
     def delaunay(self) -> PlanarGraph:
-        """The Delaunay edges: vertices are the sites, row `k` is edge `k`."""
-        return PlanarGraph(self.sites, self.edges)
+        """The Delaunay edges: vertices are the sites, row `k` is edge `k`.
+
+        Of a periodic diagram, edges that leave the period are cut there and go on at the opposite side.
+        """
+        if self.period is None:
+            return PlanarGraph(self.sites, self.edges)
+        return tiled(self.sites, self.edges, self.shifts, self.period)
 
     def voronoi(self, bounds: ArrayLike | None = None) -> PlanarGraph:
         """The Voronoi edges within bounds, rays cut at the bounds.
@@ -83,7 +96,8 @@ class Diagram(Record):
         Parameters
         ----------
         bounds : (xmin, ymin, xmax, ymax), optional
-            Data units. By default the bounding box of the sites, grown by a tenth of its size.
+            Data units. By default the bounding box of the sites, grown by a tenth of its size. A periodic diagram is
+            drawn in one period, where edges that leave it are cut and go on at the opposite side; it takes no bounds.
 
         Returns
         -------
@@ -94,7 +108,7 @@ class Diagram(Record):
         Raises
         ------
         ValueError
-            If the bounds are not finite or have no area.
+            If the bounds are not finite or have no area, or are given for a periodic diagram.
 
         Examples
         --------
@@ -103,12 +117,16 @@ class Diagram(Record):
         >>> d.voronoi((0, 0, 1, 1)).length > 2
         True
         """
+        if self.period is not None:
+            bounds_of(self, bounds)
+            return tiled(self.vertices, self.dual_edges, self.dual_shifts, self.period)
         everything = np.ones(len(self.edges), dtype=bool)
         vertices, edges, _ = _core.dual_edges(self.arrays, bounds_of(self, bounds), everything)
         return PlanarGraph(vertices, edges)
 
     def __repr__(self) -> str:
-        return f"Diagram({len(self.sites)} sites, {len(self.edges)} edges, {len(self.triangles)} triangles)"
+        period = "" if self.period is None else f", period {self.period}"
+        return f"Diagram({len(self.sites)} sites, {len(self.edges)} edges, {len(self.triangles)} triangles{period})"
 
 
 Arrays: TypeAlias = tuple[
@@ -226,31 +244,37 @@ def quarters(q: ArrayLike, links: NDArray[np.int32]) -> NDArray[np.int32]:
     return np.asarray(array, dtype=np.int32)
 
 
-def diagram(points: ArrayLike) -> Diagram:
-    """Delaunay triangulation and Voronoi diagram of points.
+def diagram(points: ArrayLike, *, period: ArrayLike | None = None) -> Diagram:
+    """Delaunay triangulation and Voronoi diagram of points, in the plane or on a torus.
 
     Parameters
     ----------
     points : (rows, 2) array_like
         Finite coordinates. Duplicates are merged. A coordinate smaller than 2**-126 of the largest one counts as zero.
+    period : (width, height), optional
+        Repeat the points with this period in x and y. Sites are moved into [0, width) x [0, height).
 
     Returns
     -------
     Diagram
-        Its combinatorics are exact for the points as given. Of fewer than three distinct points, or of points all on
-        one line, it has the edges between neighbours (with both duals -1) and no triangle.
+        Its combinatorics are exact for the points as given. With a period they are those of 3 x 3 copies, exact for
+        coordinates rounded to 2**-51 of the period; where cocircular sites leave a choice, all copies have the same,
+        also of points moved or in another order. Of fewer than three distinct points, or of points all on
+        one line, it has the edges between neighbours (with both duals -1) and no triangle. On a torus one point has
+        two triangles.
 
     Raises
     ------
     CrazingError
-        If a coordinate is NaN or infinite.
+        If a coordinate is NaN or infinite, or the sides of the period differ more than 2**32 times.
     TypeError, ValueError
-        If `points` is not an (n, 2) array of real numbers.
+        If `points` is not an (n, 2) array of real numbers, or `period` not two positive ones.
 
     Notes
     -----
     Source: thesis, sections 3.1 and 3.2. Triangulated by spade, points inserted in rounds of doubling size along a
-    Hilbert curve (Amenta, Choi, Rote 2003).
+    Hilbert curve (Amenta, Choi, Rote 2003). With a period: after Caroli and Teillaud (2009), by copies, but only of
+    the points near the sides.
 
     Examples
     --------
@@ -262,17 +286,52 @@ def diagram(points: ArrayLike) -> Diagram:
     array([0, 1, 2, 1], dtype=int32)
     >>> d.vertices
     array([[0.5, 0.5]])
+    >>> torus = cz.diagram([(0.1, 0.2), (0.6, 0.5), (0.3, 0.9)], period=(1, 1))
+    >>> torus
+    Diagram(3 sites, 9 edges, 6 triangles, period (1.0, 1.0))
+    >>> torus.shifts.min(), torus.shifts.max()
+    (np.int8(-1), np.int8(1))
     """
-    return Diagram(*_core.diagram(points_array(points)))
+    if period is None:
+        return Diagram(*_core.diagram(points_array(points)))
+    sides = period_pair(period)
+    return Diagram(*_core.periodic_diagram(points_array(points), sides), period=sides)
 
 
 def as_diagram(points: ArrayLike | Diagram) -> Diagram:
-    """`points` itself if it is a diagram, else the diagram of the points."""
-    return points if isinstance(points, Diagram) else diagram(points)
+    """`points` itself if it is a diagram in the plane, else the diagram of the points."""
+    if not isinstance(points, Diagram):
+        return diagram(points)
+    if points.period is not None:
+        raise ValueError("points is a periodic diagram; a diagram in the plane is wanted")
+    return points
+
+
+def as_tiling(points: ArrayLike | Diagram, period: ArrayLike | None) -> Diagram:
+    """`points` itself if it is a diagram, of that period if one is given, else the diagram of the points."""
+    if not isinstance(points, Diagram):
+        return diagram(points, period=period)
+    if period is not None and period_pair(period) != points.period:
+        raise ValueError(f"period is {period_pair(period)}, that of the diagram given as points is {points.period}")
+    return points
+
+
+def tiled(
+    points: NDArray[np.float64], edges: NDArray[np.int32], shifts: NDArray[np.int8], period: tuple[float, float]
+) -> PlanarGraph:
+    """Edges on a torus as a picture of one period that tiles: cut at its sides, and moved into it."""
+    return PlanarGraph(*_core.tile(points, edges, np.ascontiguousarray(shifts), period))
 
 
 def bounds_of(diagram: Diagram, bounds: ArrayLike | None) -> tuple[float, float, float, float]:
-    """`bounds` checked; by default the bounding box of the sites, grown by a tenth of its larger side all round."""
+    """`bounds` checked; by default the bounding box of the sites, grown by a tenth of its larger side all round.
+
+    Those of a periodic diagram are its period.
+    """
+    if diagram.period is not None:
+        if bounds is not None:
+            raise ValueError("bounds and period are both given; a periodic picture is one period")
+        return 0.0, 0.0, *diagram.period
     if bounds is not None:
         return bounds_tuple(bounds)
     if not len(diagram.sites):

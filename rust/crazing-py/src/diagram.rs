@@ -56,6 +56,50 @@ pub(crate) fn diagram<'py>(py: Python<'py>, points: PyReadonlyArray2<'py, f64>) 
     ))
 }
 
+type Table<'py, T> = Bound<'py, PyArray2<T>>;
+type Row<'py, T> = Bound<'py, PyArray1<T>>;
+#[rustfmt::skip]
+type PeriodicArrays<'py> = (
+    Table<'py, f64>, Row<'py, i32>, Table<'py, i32>, Table<'py, f64>, Table<'py, i32>, Table<'py, i32>,
+    Table<'py, i8>, Table<'py, i8>,
+);
+
+/// The same on a torus, and the shifts of edges and dual edges.
+#[pyfunction]
+pub(crate) fn periodic_diagram<'py>(
+    py: Python<'py>,
+    points: PyReadonlyArray2<'py, f64>,
+    period: [f64; 2],
+) -> PyResult<PeriodicArrays<'py>> {
+    let points = rows(&points)?;
+    let torus = detached(py, |watch| crazing::diagram::periodic(points, period, watch))?;
+    let found = torus.diagram;
+    Ok((
+        table(py, found.sites)?,
+        PyArray1::from_vec(py, found.site_of),
+        table(py, found.triangles)?,
+        table(py, found.vertices)?,
+        table(py, found.edges)?,
+        table(py, found.dual_edges)?,
+        table(py, torus.shifts)?,
+        table(py, torus.dual_shifts)?,
+    ))
+}
+
+/// Vertices and edges of one period of a drawing on a torus.
+#[pyfunction]
+pub(crate) fn tile<'py>(
+    py: Python<'py>,
+    points: PyReadonlyArray2<'py, f64>,
+    edges: PyReadonlyArray2<'py, i32>,
+    shifts: PyReadonlyArray2<'py, i8>,
+    period: [f64; 2],
+) -> PyResult<(Table<'py, f64>, Table<'py, i32>)> {
+    let (points, edges, shifts) = (rows(&points)?, rows(&edges)?, rows(&shifts)?);
+    let graph = detached(py, |watch| crazing::diagram::tile(points, edges, shifts, period, watch))?;
+    Ok((table(py, graph.vertices)?, table(py, graph.edges)?))
+}
+
 /// The next quarter-edge about the same origin, for every quarter-edge.
 #[pyfunction]
 pub(crate) fn onext<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound<'py, PyArray1<i32>>> {

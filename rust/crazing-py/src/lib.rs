@@ -9,6 +9,7 @@ mod graph;
 mod guard;
 mod maze;
 mod png;
+mod region;
 mod render;
 mod sample;
 mod skeleton;
@@ -22,15 +23,17 @@ mod _core {
     #[pymodule_export]
     use crate::crack::crack;
     #[pymodule_export]
-    use crate::diagram::{diagram, dual_edges, onext};
+    use crate::diagram::{diagram, dual_edges, onext, periodic_diagram, tile};
     #[pymodule_export]
     use crate::graph::{graph_compact, graph_components, graph_degrees, graph_polylines};
     #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]
-    use crate::maze::{carve, solve};
+    use crate::maze::{carve, distances, longest, solve};
     #[pymodule_export]
     use crate::png::encode_png;
+    #[pymodule_export]
+    use crate::region::{dual_edges_within, region_contains};
     #[pymodule_export]
     use crate::render::render;
     #[pymodule_export]

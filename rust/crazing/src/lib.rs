@@ -14,6 +14,7 @@ pub mod predicates;
 pub mod quad_edge;
 pub mod quantile;
 pub mod raster;
+pub mod region;
 pub mod rng;
 pub mod sample;
 pub mod sets;

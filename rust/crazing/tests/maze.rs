@@ -6,7 +6,7 @@ mod families;
 use crazing::clip::dual_edges;
 use crazing::crack::{Profile, crack, strands};
 use crazing::diagram::diagram;
-use crazing::maze::{Maze, carve, voronoi_doors};
+use crazing::maze::{Doors, Maze, Tree, carve, distances, longest, solve, voronoi_doors};
 use crazing::sets::DisjointSets;
 use crazing::{Diagram, Point, Watch};
 use families::{any_points, family, lattice};
@@ -16,8 +16,14 @@ fn of(points: &[Point]) -> Diagram {
     diagram(points, Watch::default()).unwrap()
 }
 
+fn tree_of(d: &Diagram, tree: Tree, start: Option<usize>, opening: f64, seed: u64) -> Maze {
+    let door = voronoi_doors(d.view());
+    let doors = Doors { cells: d.sites.len(), sides: &d.edges, door: &door };
+    carve(doors, tree, start, opening, [seed, 0], Watch::default()).unwrap()
+}
+
 fn maze_of(d: &Diagram, opening: f64, seed: u64) -> Maze {
-    carve(d.sites.len(), &d.edges, &voronoi_doors(d.view()), None, opening, [seed, 0], Watch::default()).unwrap()
+    tree_of(d, Tree::DepthFirst, None, opening, seed)
 }
 
 /// First and last step of the search at each cell: an ancestor's interval holds its descendants'.
@@ -54,11 +60,40 @@ fn choice_among_neighbours_is_uniform() {
     let d = of(&points);
     let mut first = [0_u32; 6];
     for seed in 0..6000 {
-        let m = carve(7, &d.edges, &voronoi_doors(d.view()), Some(6), 1.0, [seed, 3], Watch::default()).unwrap();
+        let m = tree_of(&d, Tree::DepthFirst, Some(6), 1.0, seed);
         first[m.passages[0][1] as usize] += 1;
     }
     let chi2: f64 = first.iter().map(|&c| (f64::from(c) - 1000.0).powi(2) / 1000.0).sum();
     assert!(chi2 < 25.0, "{first:?}"); // 1 in 7000 with 5 degrees of freedom
+}
+
+#[test]
+fn wilsons_trees_are_uniform() {
+    // Two squares side by side: the 15 spanning trees of the 2 x 3 grid (its Laplacian's cofactor).
+    let sides = [[0, 1], [1, 2], [3, 4], [4, 5], [0, 3], [1, 4], [2, 5]];
+    let mut counts = std::collections::BTreeMap::new();
+    let doors = Doors { cells: 6, sides: &sides, door: &[true; 7] };
+    for seed in 0..15_000 {
+        let m = carve(doors, Tree::Wilson, None, 1.0, [seed, 5], Watch::default()).unwrap();
+        *counts.entry(m.open).or_insert(0_u32) += 1;
+    }
+    assert_eq!(counts.len(), 15);
+    let chi2: f64 = counts.values().map(|&c| (f64::from(c) - 1000.0).powi(2) / 1000.0).sum();
+    assert!(chi2 < 42.0, "{chi2}"); // 1 in 8000 with 14 degrees of freedom
+}
+
+#[test]
+fn every_tree_spans_every_part_of_a_torn_graph() {
+    let sides = [[0, 1], [1, 2], [2, 0], [3, 4], [4, -1], [5, 5], [3, 4]];
+    let doors = Doors { cells: 6, sides: &sides, door: &[true; 7] };
+    for tree in [Tree::DepthFirst, Tree::Kruskal, Tree::Prim, Tree::Wilson] {
+        for seed in 0..50 {
+            let m = carve(doors, tree, None, 1.0, [seed, 0], Watch::default()).unwrap();
+            assert_eq!((m.passages.len(), m.open.iter().filter(|&&o| o).count()), (3, 3), "{tree:?}");
+            assert!(!m.open[4] && !m.open[5]);
+            assert_eq!(longest(6, &sides, &m.open, Watch::default()).unwrap().len(), 3);
+        }
+    }
 }
 
 #[test]
@@ -102,6 +137,26 @@ proptest! {
             let (a, b) = (spans[a as usize], spans[b as usize]);
             prop_assert!(!door || holds(a, b) || holds(b, a), "a shut door between cousins");
             prop_assert!(door || !open);
+        }
+    }
+
+    #[test]
+    fn every_tree_spans_and_the_longest_way_is_as_long_as_any(points in any_points(), seed in any::<u64>()) {
+        let d = of(&points);
+        for tree in [Tree::Kruskal, Tree::Prim, Tree::Wilson] {
+            let m = tree_of(&d, tree, None, 1.0, seed);
+            prop_assert_eq!(m.passages.len(), d.sites.len().saturating_sub(1));
+            let mut sets = DisjointSets::new(d.sites.len());
+            prop_assert!(m.passages.iter().all(|&[a, b]| sets.unite(a as usize, b as usize)), "a cycle");
+            let far = |source| distances(d.sites.len(), &d.edges, &m.open, source, Watch::default()).unwrap();
+            let longest = longest(d.sites.len(), &d.edges, &m.open, Watch::default()).unwrap();
+            for source in 0..d.sites.len().min(20) {
+                let found = far(source);
+                prop_assert!(found.iter().all(|&steps| 0 <= steps && (steps as usize) < longest.len()));
+                let target = d.sites.len() - 1;
+                let way = solve(d.sites.len(), &d.edges, &m.open, source, target, Watch::default()).unwrap();
+                prop_assert_eq!(way.len() as i32, found[target] + 1);
+            }
         }
     }
 

@@ -72,7 +72,7 @@ fn renumber(topology: &mut delaunay::Topology, curve: &[u32]) {
     }
 }
 
-fn check_points(points: &[Point]) -> Result<()> {
+pub(super) fn check_points(points: &[Point]) -> Result<()> {
     if points.len() > MOST_POINTS {
         return Err(Error::TooMany { what: "points", found: points.len(), limit: MOST_POINTS });
     }
@@ -83,18 +83,18 @@ fn check_points(points: &[Point]) -> Result<()> {
 }
 
 /// Rows without their duplicates.
-struct Merged {
+pub(super) struct Merged {
     /// Distinct points in the order of first appearance.
-    sites: Vec<Point>,
+    pub(super) sites: Vec<Point>,
     /// The one of every row.
-    site_of: Vec<i32>,
+    pub(super) site_of: Vec<i32>,
     /// Sites along a Hilbert curve.
-    curve: Vec<u32>,
+    pub(super) curve: Vec<u32>,
     /// Their positions: everything is computed in the numbering of the curve, where neighbours are close in memory.
-    along: Vec<Point>,
+    pub(super) along: Vec<Point>,
 }
 
-fn merge(points: Vec<Point>) -> Merged {
+pub(super) fn merge(points: Vec<Point>) -> Merged {
     let mut curve = order::hilbert(&points);
     let mut along: Vec<Point> = curve.iter().map(|&row| points[row as usize]).collect();
     if along.windows(2).all(|pair| pair[0] != pair[1]) {

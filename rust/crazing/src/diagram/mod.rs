@@ -3,13 +3,19 @@
 mod build;
 mod delaunay;
 mod order;
+mod periodic;
 pub mod scale;
+mod ties;
+mod tile;
+mod torus;
 mod vertices;
 
 pub use build::diagram;
 pub(crate) use build::triangulate_near_one;
 pub(crate) use order::hilbert as curve_order;
 pub use order::insertion as insertion_order;
+pub use periodic::{PeriodicDiagram, periodic};
+pub use tile::tile;
 pub use vertices::representatives;
 
 use crate::error::{Error, Result};

@@ -35,7 +35,8 @@ pub(super) fn vertices(sites: &[Point], topology: &Topology) -> Vec<Point> {
     vertices
 }
 
-fn coincide(a: Point, b: Point, site: Point) -> bool {
+/// Whether two circumcentres of neighbours, on circles through `site`, are one vertex.
+pub(super) fn coincide(a: Point, b: Point, site: Point) -> bool {
     let apart = [a[0] - b[0], a[1] - b[1]];
     let radius = [a[0] - site[0], a[1] - site[1]];
     // Nearly all pairs are told apart without a root; sizes, not squares, since far vertices would overflow.

@@ -21,6 +21,12 @@ pub fn orientation(a: Point, b: Point, c: Point) -> f64 {
     robust::orient2d(coord(a), coord(b), coord(c))
 }
 
+/// Sign of how far `d` lies inside the circle through `a b c`, which are counter-clockwise; zero on it.
+pub fn in_circle(a: Point, b: Point, c: Point, d: Point) -> f64 {
+    let coord = |p: Point| robust::Coord { x: p[0], y: p[1] };
+    robust::incircle(coord(a), coord(b), coord(c), coord(d))
+}
+
 /// Sign of `(p - r) · (q - r)`: positive when the angle `p r q` is acute, zero when it is right.
 pub fn apex_sign(p: Point, q: Point, r: Point) -> f64 {
     let (a, b) = ([p[0] - r[0], p[1] - r[1]], [q[0] - r[0], q[1] - r[1]]);

@@ -1,0 +1,81 @@
+"""`crazing maze`: a maze on a page, within the shape of a picture or a rectangle."""
+
+from __future__ import annotations
+
+import secrets
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+import crazing
+from crazing.cli.progress import steps
+from crazing.images import read_image
+from crazing.region import as_region
+
+ENDINGS = (".svg", ".dxf", ".pdf", ".png")
+
+
+def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
+    path = Path(value)
+    if path.suffix.lower() not in ENDINGS:
+        raise click.BadParameter(f"{value!r} does not end in {', '.join(ENDINGS)}.")
+    if path.is_dir() or not path.parent.is_dir():
+        raise click.BadParameter(f"{value!r} is a folder or lies in none.")
+    return value
+
+
+@click.command("maze")
+@click.option("-n", "--cells-number", "n", type=click.IntRange(min=3), default=1000, show_default=True, help="Cells.")
+@click.option("--within", type=click.Path(exists=True, dir_okay=False), help="Picture of a shape to fill.")
+@click.option(
+    "--cells",
+    type=click.Choice(["voronoi", "delaunay"]),
+    default="voronoi",
+    show_default=True,
+    help="What a cell is; within a shape voronoi only.",
+)
+@click.option(
+    "--tree",
+    type=click.Choice(["depth-first", "kruskal", "prim", "wilson"]),
+    default="depth-first",
+    show_default=True,
+    help="How the ways grow.",
+)
+@click.option("--solution", is_flag=True, help="Draw the solution too, as a layer of its own.")
+@click.option("--seed", type=click.IntRange(min=0), help="Seed; by default a fresh one, which is printed.")
+@click.option("--page", type=float, nargs=2, default=(210.0, 297.0), show_default=True, help="Width, height in mm.")
+@click.option("--thickness", type=float, help="Thickness of the walls in mm, drawn as outlines.")
+@click.option("-o", "--output", required=True, metavar="FILE", callback=_checked, help="An .svg, .dxf, .pdf or .png.")
+def command(*, output: str, solution: bool, seed: int | None, thickness: float | None, **parameters: Any) -> None:
+    """Draws a maze on a page, in millimetres.
+
+    Within a shape, entrance and exit are the two places of its outline that lie farthest apart.
+    """
+    seed = secrets.randbits(32) if seed is None else seed
+    page = parameters.pop("page")
+    with steps(2) as begin:
+        begin("carving")
+        maze = _maze(seed=seed, page=page, **parameters)
+        begin("writing")
+        maze.save(output, page=page, solution=solution, thickness=thickness)
+    found = maze.statistics
+    click.echo(
+        f"{output}: {found.cells} cells, {found.dead_ends} dead ends, {found.junctions} junctions, "
+        f"solution {found.solution} cells, winding {found.winding:.1f}, seed {seed}"
+    )
+
+
+def _maze(*, n: int, within: str | None, cells: str, tree: str, seed: int, page: tuple[float, float]) -> crazing.Maze:
+    rng = np.random.default_rng(seed)
+    if within is None:
+        box = (0.0, 0.0, float(page[0]), float(page[1]))
+        points = crazing.sample.uniform(n, bounds=box, rng=rng)
+        return crazing.maze(points, cells=cells, tree=tree, bounds=box, rng=rng)
+    region = as_region(read_image(within))
+    # As many points as leave about n in the shape.
+    probe = crazing.sample.uniform(4096, bounds=region.bounds, rng=rng)
+    share = max(float(region.contains(probe).mean()), 1e-3)
+    points = crazing.sample.uniform(int(n / share), bounds=region.bounds, rng=rng)
+    return crazing.maze(points, cells=cells, tree=tree, within=region, rng=rng)

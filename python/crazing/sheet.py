@@ -1,0 +1,212 @@
+"""A maze on a page, in millimetres: lines for a plotter, a cutter or a printer."""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import PurePath
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from crazing import _core, files
+from crazing.errors import CrazingError
+from crazing.extras import require
+from crazing.graph import PlanarGraph
+
+Line = NDArray[np.float64]
+
+#: Millimetres of an inch.
+_INCH = 25.4
+
+#: Pixels an inch of a PNG.
+_DPI = 300
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """Layers of lines in millimetres, y up, on a page."""
+
+    page: tuple[float, float]
+    pen: float
+    layers: dict[str, list[Line]]
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the page in the format that the ending of `path` names."""
+        writers = {".svg": self.svg, ".dxf": self.dxf, ".pdf": self.pdf, ".png": self.png}
+        ending = PurePath(path).suffix.lower()
+        if ending not in writers:
+            raise ValueError(f"path is {os.fspath(path)!r}; an ending of {', '.join(writers)} is wanted")
+        content = writers[ending]()
+        with files.atomic_write(path) as file:
+            file.write(content)
+
+    def svg(self) -> bytes:
+        """One group a layer, as Inkscape and plotters know them."""
+        width, height = self.page
+        size = f'width="{width:g}mm" height="{height:g}mm" viewBox="0 0 {width:g} {height:g}"'
+        names = 'xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
+        style = f'fill="none" stroke-width="{self.pen:g}" stroke-linecap="round" stroke-linejoin="round"'
+        text = [f"<svg {names} {size}>", f"<metadata>crazing {_core.__version__}</metadata>"]
+        for name, lines in self.layers.items():
+            layer = f'id="{name}" inkscape:label="{name}" inkscape:groupmode="layer"'
+            text += [f'<g {layer} {style} stroke="{_COLOURS[name]}">', f'<path d="{self._path(lines)}"/>', "</g>"]
+        return "\n".join([*text, "</svg>"]).encode()
+
+    def _path(self, lines: list[Line]) -> str:
+        turned = (line * (1, -1) + (0, self.page[1]) for line in lines)
+        # A thousandth of a millimetre is finer than any machine.
+        return "".join("M" + "L".join(f"{x:.3f} {y:.3f}" for x, y in line.tolist()) for line in turned)
+
+    def dxf(self) -> bytes:
+        """One layer of LWPOLYLINE each, units millimetres."""
+        ezdxf = require("ezdxf", "cad")
+        drawing = ezdxf.new("R2010", units=ezdxf.units.MM)
+        space = drawing.modelspace()
+        for name, lines in self.layers.items():
+            drawing.layers.add(name.upper(), color=1 if name == "solution" else 7)
+            for line in lines:
+                ring = len(line) > 3 and bool((line[0] == line[-1]).all())
+                points = (line[:-1] if ring else line).tolist()
+                space.add_lwpolyline(points, close=ring, dxfattribs={"layer": name.upper()})
+        text = io.StringIO()
+        drawing.write(text)
+        return text.getvalue().encode()
+
+    def pdf(self) -> bytes:
+        """A page of vectors."""
+        # Without a date the same maze gives the same bytes.
+        return self._printed(format="pdf", metadata={"CreationDate": None})
+
+    def png(self) -> bytes:
+        """A picture of 300 pixels an inch."""
+        return self._printed(format="png", dpi=_DPI)
+
+    def _printed(self, **options: Any) -> bytes:
+        lines = require("matplotlib.collections", "plot").LineCollection
+        figure = require("matplotlib.figure", "plot").Figure(figsize=[side / _INCH for side in self.page])
+        axes = figure.add_axes((0, 0, 1, 1))
+        axes.set(xlim=(0, self.page[0]), ylim=(0, self.page[1]))
+        axes.set_axis_off()
+        for name, layer in self.layers.items():
+            style = {"capstyle": "round", "joinstyle": "round", "linewidths": self.pen / _INCH * 72}
+            axes.add_collection(lines(layer, colors=_COLOURS[name], **style))
+        content = io.BytesIO()
+        figure.savefig(content, **options)
+        return content.getvalue()
+
+
+_COLOURS = {"walls": "black", "solution": "red"}
+
+
+def sheet(
+    walls: PlanarGraph,
+    solution: PlanarGraph | None,
+    *,
+    page: tuple[float, float],
+    margin: float,
+    pen: float,
+    thickness: float | None,
+) -> Sheet:
+    """Walls, and a solution if there is one, fitted into the page within its margin."""
+    room = np.array(page) - 2 * margin
+    if not (room > 0).all():
+        raise ValueError(f"margin is {margin}; less than half of a page of {page[0]:g} x {page[1]:g} mm is wanted")
+    if not len(walls.edges):
+        raise CrazingError("the maze has no walls to be drawn")
+    drawn = walls.vertices[np.unique(walls.edges)]
+    low, high = drawn.min(axis=0), drawn.max(axis=0)
+    # A wall's thickness lies half on either side of its line.
+    room = room - (thickness or 0.0)
+    scale = float(np.min(room / np.maximum(high - low, 1e-300)))
+    lines = list(_lines(walls, (low + high) / 2, scale, page))
+    if thickness is not None:
+        lines = _thick(lines, thickness)
+    layers = {"walls": ordered(lines)}
+    if solution is not None:
+        layers["solution"] = ordered(list(_lines(solution, (low + high) / 2, scale, page)))
+    return Sheet(page, pen, layers)
+
+
+def _lines(graph: PlanarGraph, middle: Line, scale: float, page: tuple[float, float]) -> Iterator[Line]:
+    """The polylines on the page, every edge once however often it is there."""
+    points, number = np.unique(graph.vertices, axis=0, return_inverse=True)
+    edges = np.sort(number.reshape(-1)[graph.edges], axis=1)
+    edges = np.unique(edges[edges[:, 0] != edges[:, 1]], axis=0)
+    coords, offsets = PlanarGraph(points, edges.astype(np.int32)).polylines()
+    placed = (coords - middle) * scale + np.array(page) / 2
+    return (placed[start:end] for start, end in pairwise(offsets.tolist()))
+
+
+def _thick(lines: list[Line], thickness: float) -> list[Line]:
+    """The outlines of walls of that thickness, as closed lines: what a cutter follows."""
+    shapely = require("shapely", "graph")
+    joined = shapely.union_all(shapely.buffer([shapely.LineString(line) for line in lines], thickness / 2))
+    return [np.asarray(ring.coords) for part in shapely.get_parts(joined) for ring in (part.exterior, *part.interiors)]
+
+
+def ordered(lines: list[Line]) -> list[Line]:
+    """The lines in the order and direction in which a pen travels little: on to the nearest end that is left.
+
+    Ends are sought in a grid, in rings about the pen, so the cost stays near that of one look a line.
+    """
+    if not lines:
+        return []
+    ends = np.array([point for line in lines for point in (line[0], line[-1])])
+    low = ends.min(axis=0)
+    across = float((ends.max(axis=0) - low).max()) or 1.0
+    count = max(1, int(np.sqrt(len(lines))))
+    squares = np.minimum((ends - low) / across * count, count - 1).astype(int)
+    grid: dict[tuple[int, int], list[int]] = {}
+    for end, (x, y) in enumerate(squares.tolist()):
+        grid.setdefault((x, y), []).append(end)
+    left = np.ones(len(lines), dtype=bool)
+    found = []
+    at = ends[0]
+    for _ in lines:
+        end = _nearest(
+            grid, ends, left, at, tuple(np.clip((at - low) / across * count, 0, count - 1).astype(int)), count
+        )
+        line = lines[end // 2] if end % 2 == 0 else lines[end // 2][::-1]
+        left[end // 2] = False
+        found.append(line)
+        at = line[-1]
+    return found
+
+
+def _nearest(
+    grid: dict[tuple[int, int], list[int]],
+    ends: Line,
+    left: NDArray[np.bool_],
+    at: Line,
+    square: tuple[int, ...],
+    count: int,
+) -> int:
+    best, seen = -1, np.inf
+    for ring in range(count + 1):
+        if best >= 0 and ring > seen + 1:
+            break
+        for key in _ring(square, ring):
+            # Ends of lines that were drawn are forgotten where they are met.
+            grid[key] = kept = [end for end in grid.get(key, ()) if left[end // 2]]
+            for end in kept:
+                if best < 0 or _square(ends[end] - at) < _square(ends[best] - at):
+                    best, seen = end, min(seen, ring)
+    return best
+
+
+def _square(step: Line) -> float:
+    return float(step[0] * step[0] + step[1] * step[1])
+
+
+def _ring(middle: tuple[int, ...], ring: int) -> Iterator[tuple[int, int]]:
+    x, y = middle
+    for i in range(-ring, ring + 1):
+        for j in range(-ring, ring + 1) if abs(i) == ring else (-ring, ring):
+            yield x + i, y + j
+            if ring == 0:
+                return

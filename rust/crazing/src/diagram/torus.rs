@@ -1,0 +1,215 @@
+//! From a triangulation of sites and copies in the plane to the torus below it.
+
+use super::Diagram;
+use super::delaunay::Topology;
+use super::periodic::{Cell, PeriodicDiagram, Row};
+use super::vertices::coincide;
+use crate::error::{Error, Result};
+use crate::graph::Point;
+use crate::sets::DisjointSets;
+
+type Shift = [i8; 2];
+
+/// Sites of the cell and copies about it, along a curve, and their triangulation in the plane.
+pub(super) struct Cover {
+    /// The site of every row.
+    pub(super) site_of: Vec<i32>,
+    pub(super) at: Vec<Point>,
+    /// Whose copy each one is, and how many periods away.
+    pub(super) site: Vec<i32>,
+    pub(super) shift: Vec<Shift>,
+    pub(super) topology: Topology,
+    /// Circumcentres of the triangles.
+    pub(super) centres: Vec<Point>,
+}
+
+/// A triangle whatever the copy: its sites from the lowest corner on, and where two of them are seen from it.
+type Name = ([i32; 3], [Shift; 2]);
+
+impl Cover {
+    fn is_home(&self, i: i32) -> bool {
+        self.shift[i as usize] == [0, 0]
+    }
+
+    /// How far the circles about the triangles at sites of the cell reach out of it; infinite when a site has no
+    /// triangles all around it.
+    pub(super) fn reach(&self, period: Point) -> Point {
+        let Topology { triangles, edges, dual_edges } = &self.topology;
+        let is_open =
+            |(ends, sides): (&[i32; 2], &[i32; 2])| sides.contains(&-1) && ends.iter().any(|&i| self.is_home(i));
+        if triangles.is_empty() || edges.iter().zip(dual_edges).any(is_open) {
+            return [f64::INFINITY; 2];
+        }
+        let mut reach = [0.0_f64; 2];
+        for (corners, centre) in triangles.iter().zip(&self.centres) {
+            if corners.iter().any(|&i| self.is_home(i)) {
+                let corner = self.at[corners[0] as usize];
+                // Grown by far more than the rounding of the centre.
+                let radius = (1.0 + 1e-9) * libm::hypot(centre[0] - corner[0], centre[1] - corner[1]);
+                for i in 0..2 {
+                    let out = (radius - centre[i]).max(centre[i] + radius - period[i]);
+                    // A centre that is no number reaches anywhere.
+                    reach[i] = if out.is_nan() { f64::INFINITY } else { reach[i].max(out) };
+                }
+            }
+        }
+        reach
+    }
+
+    /// Of the copies of a triangle or edge, the one whose lowest corner is in the cell stands for all.
+    fn lowest<const N: usize>(&self, corners: [i32; N]) -> usize {
+        let mut lowest = 0;
+        for i in 1..N {
+            let (p, q) = (self.at[corners[i] as usize], self.at[corners[lowest] as usize]);
+            if p[0] < q[0] || (p[0] == q[0] && p[1] < q[1]) {
+                lowest = i;
+            }
+        }
+        lowest
+    }
+
+    fn name(&self, t: i32) -> Name {
+        let mut corners = self.topology.triangles[t as usize];
+        let first = self.lowest(corners);
+        corners.rotate_left(first);
+        let [a, b, c] = corners.map(|i| self.shift[i as usize]);
+        (corners.map(|i| self.site[i as usize]), [minus(b, a), minus(c, a)])
+    }
+
+    /// The torus.
+    ///
+    /// # Errors
+    /// [`Error::Internal`] when the halo was too narrow, which its certificate rules out.
+    pub(super) fn restrict(&self, rows: &[Row], cell: &Cell) -> Result<PeriodicDiagram> {
+        let kept = Kept::of(self);
+        let mut torus = PeriodicDiagram::default();
+        let mut ends_of = Vec::new();
+        for (k, &ends) in self.topology.edges.iter().enumerate() {
+            if self.is_home(ends[self.lowest(ends)]) {
+                let sides = self.topology.dual_edges[k];
+                torus.diagram.edges.push(ends.map(|i| self.site[i as usize]));
+                torus.diagram.dual_edges.push([kept.number(self, sides[0])?, kept.number(self, sides[1])?]);
+                torus.shifts.push(minus(self.shift[ends[1] as usize], self.shift[ends[0] as usize]));
+                ends_of.push((sides, ends[0]));
+            }
+        }
+        torus.diagram.triangles =
+            kept.rows.iter().map(|&t| self.topology.triangles[t as usize].map(|i| self.site[i as usize])).collect();
+        let vertices = self.vertices(&kept, &torus.diagram.dual_edges, &ends_of, cell);
+        torus.dual_shifts = self.dual_shifts(&vertices, &torus.diagram.dual_edges, &ends_of, cell.period);
+        place(&mut torus.diagram, vertices, rows, &self.site_of, cell);
+        orient(&mut torus);
+        let Diagram { sites, triangles, edges, .. } = &torus.diagram;
+        let whole = sites.len() + triangles.len() == edges.len();
+        if whole { Ok(torus) } else { Err(Error::Internal("a torus with holes")) }
+    }
+
+    /// Circumcentres moved into the cell. Coincident ones of neighbours are equal.
+    fn vertices(&self, kept: &Kept, dual_edges: &[[i32; 2]], planar: &[([i32; 2], i32)], cell: &Cell) -> Vec<Point> {
+        let wrap = |c: f64, side: f64| (c - (c / side).floor() * side).clamp(0.0, side.next_down());
+        let moved = |c: Point| [wrap(c[0], cell.period[0]), wrap(c[1], cell.period[1])];
+        let mut vertices: Vec<Point> = kept.rows.iter().map(|&t| moved(self.centres[t as usize])).collect();
+        let mut sets: Option<DisjointSets> = None;
+        for (dual, &([right, left], end)) in dual_edges.iter().zip(planar) {
+            if coincide(self.centres[right as usize], self.centres[left as usize], self.at[end as usize]) {
+                let sets = sets.get_or_insert_with(|| DisjointSets::new(vertices.len()));
+                sets.unite(dual[0] as usize, dual[1] as usize);
+            }
+        }
+        if let Some(mut sets) = sets {
+            for t in 0..vertices.len() {
+                vertices[t] = vertices[sets.lowest(t)];
+            }
+        }
+        vertices
+    }
+
+    /// Periods between the vertices at the two ends of each dual edge, as it lies in the plane.
+    fn dual_shifts(
+        &self,
+        vertices: &[Point],
+        dual_edges: &[[i32; 2]],
+        planar: &[([i32; 2], i32)],
+        period: Point,
+    ) -> Vec<Shift> {
+        let turns = |t: i32, vertex: i32| {
+            let (c, v) = (self.centres[t as usize], vertices[vertex as usize]);
+            [0, 1].map(|i| ((c[i] - v[i]) / period[i]).round() as i8)
+        };
+        let shift = |(dual, (sides, _)): (&[i32; 2], &([i32; 2], i32))| {
+            minus(turns(sides[1], dual[1]), turns(sides[0], dual[0]))
+        };
+        dual_edges.iter().zip(planar).map(shift).collect()
+    }
+}
+
+fn minus(a: Shift, b: Shift) -> Shift {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// Positions in the user's units.
+fn place(diagram: &mut Diagram, vertices: Vec<Point>, rows: &[Row], site_of: &[i32], cell: &Cell) {
+    diagram.site_of = site_of[..rows.len()].to_vec();
+    let count = diagram.site_of.iter().max().map_or(0, |&last| last as usize + 1);
+    diagram.sites = vec![[0.0; 2]; count];
+    // Backward, so that the first row of a site has the last word.
+    for (row, &site) in rows.iter().zip(&diagram.site_of).rev() {
+        diagram.sites[site as usize] = row.given;
+    }
+    let inside = |x: f64, i: usize| x.min(cell.given[i].next_down());
+    let up = |p: Point| cell.scale.up(p);
+    diagram.vertices = vertices.into_iter().map(up).map(|[x, y]| [inside(x, 0), inside(y, 1)]).collect();
+}
+
+/// From the lower site to the higher; between copies of one site rightward, or up.
+fn orient(torus: &mut PeriodicDiagram) {
+    let PeriodicDiagram { diagram, shifts, dual_shifts } = torus;
+    for k in 0..shifts.len() {
+        let [from, to] = diagram.edges[k];
+        if from > to || (from == to && shifts[k] < [0, 0]) {
+            diagram.edges[k].reverse();
+            diagram.dual_edges[k].reverse();
+            shifts[k] = shifts[k].map(|x| -x);
+            dual_shifts[k] = dual_shifts[k].map(|x| -x);
+        }
+    }
+}
+
+/// The triangles that stand for all their copies.
+struct Kept {
+    /// Rows of the triangulation in the plane.
+    rows: Vec<i32>,
+    /// The number of each triangle in the plane; -1 for those that do not stand for others.
+    number: Vec<i32>,
+    /// Those that reach out of the cell by name: copies of no other are met at the cell's own edges.
+    by_name: Vec<(Name, i32)>,
+}
+
+impl Kept {
+    fn of(cover: &Cover) -> Self {
+        let mut kept = Self { rows: Vec::new(), number: Vec::new(), by_name: Vec::new() };
+        for (t, &corners) in cover.topology.triangles.iter().enumerate() {
+            let is_kept = cover.is_home(corners[cover.lowest(corners)]);
+            kept.number.push(if is_kept { kept.rows.len() as i32 } else { -1 });
+            if is_kept {
+                if !corners.iter().all(|&i| cover.is_home(i)) {
+                    kept.by_name.push((cover.name(t as i32), kept.rows.len() as i32));
+                }
+                kept.rows.push(t as i32);
+            }
+        }
+        kept.by_name.sort_unstable();
+        kept
+    }
+
+    /// The number of the triangle that stands for `t`.
+    fn number(&self, cover: &Cover, t: i32) -> Result<i32> {
+        let missing = Error::Internal("a triangle without its copy");
+        let own = self.number.get(t as usize).copied().ok_or(missing.clone())?;
+        if own != -1 {
+            return Ok(own);
+        }
+        let name = cover.name(t);
+        self.by_name.binary_search_by_key(&name, |entry| entry.0).map(|row| self.by_name[row].1).map_err(|_| missing)
+    }
+}

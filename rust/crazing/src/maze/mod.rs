@@ -1,0 +1,125 @@
+//! Mazes: a spanning tree of the cells says which doors are opened; the shut ones are the walls.
+
+mod depth_first;
+mod kruskal;
+mod neighbours;
+mod prim;
+mod way;
+mod wilson;
+
+pub use way::{distances, longest, solve};
+
+use crate::diagram::DiagramView;
+use crate::error::{Error, Result};
+use crate::parallel;
+use crate::rng::{Key, Rng, stream};
+use crate::watch::Watch;
+use neighbours::Neighbours;
+
+/// A maze over the rows of an edge table.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Maze {
+    /// Whether the door of each row is open.
+    pub open: Vec<bool>,
+    /// The spanning forest, two cells a passage in the order of carving: cells - components rows. Parent and child,
+    /// except of Kruskal's tree, which has no root.
+    pub passages: Vec<[i32; 2]>,
+    /// The cell the search started from; -1 when there is no cell.
+    pub start: i32,
+}
+
+/// By which rule the tree grows.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Tree {
+    /// On from the newest cell: long winding ways, few dead ends.
+    #[default]
+    DepthFirst,
+    /// Doors in any order, wherever they join two parts.
+    Kruskal,
+    /// Any door out of the part carved so far: many short dead ends.
+    Prim,
+    /// Every spanning tree as likely as the other.
+    Wilson,
+}
+
+/// Rows whose dual edge has a length: a cell cannot be left through a point.
+pub fn voronoi_doors(view: DiagramView<'_>) -> Vec<bool> {
+    let point = |[a, b]: [i32; 2]| a != -1 && b != -1 && view.vertices[a as usize] == view.vertices[b as usize];
+    parallel::map(view.dual_edges.len(), |k| !point(view.dual_edges[k]))
+}
+
+/// What a maze is carved through: row `k` of `sides` holds the two cells of door `k`; it is a door when `door[k]` and
+/// neither side is -1.
+#[derive(Debug, Clone, Copy)]
+pub struct Doors<'a> {
+    /// How many cells there are.
+    pub cells: usize,
+    /// Two cells a row.
+    pub sides: &'a [[i32; 2]],
+    /// Which rows are doors.
+    pub door: &'a [bool],
+}
+
+/// Carves a maze.
+///
+/// Depth-first truly: among the unvisited neighbours of the current cell one is drawn, each as likely as the other;
+/// where there is none the search goes back the way it came. `start` is drawn when None. `opening` is the share of
+/// the passages whose door is really opened, drawn after the search; 1 is the thesis.
+///
+/// # Errors
+/// [`Error::BadIndex`] for a start that is no cell, [`Error::Interrupted`].
+///
+/// # Source
+/// Thesis, section 7. The other trees: see their files.
+pub fn carve(
+    doors: Doors<'_>,
+    tree: Tree,
+    start: Option<usize>,
+    opening: f64,
+    key: Key,
+    watch: Watch<'_>,
+) -> Result<Maze> {
+    let Doors { cells, sides, door } = doors;
+    let mut rng = Rng::new(key, stream::MAZE);
+    // Drawn in any case, so that the same seed gives the same choices from a given start.
+    let drawn = rng.below(cells as u32) as usize;
+    let start = start.unwrap_or(drawn);
+    if start >= cells.max(1) {
+        return Err(Error::BadIndex { array: "start", row: 0, value: start as i64, low: 0, limit: cells as i64 });
+    }
+    let passages = grow(tree, Neighbours::of(cells, sides, door), start, rng, watch)?;
+    let mut open = vec![false; sides.len()];
+    for &(_, door) in &opened(&passages, opening, key) {
+        open[door as usize] = true;
+    }
+    let passages = passages.into_iter().map(|(ends, _)| ends).collect();
+    Ok(Maze { open, passages, start: if cells == 0 { -1 } else { start as i32 } })
+}
+
+fn grow(tree: Tree, graph: Neighbours, start: usize, rng: Rng, watch: Watch<'_>) -> Result<Vec<Passage>> {
+    let Some(&start) = graph.rank_of.get(start) else { return Ok(Vec::new()) };
+    match tree {
+        Tree::DepthFirst => depth_first::passages(graph, start, rng, watch),
+        Tree::Kruskal => kruskal::passages(&graph, rng, watch),
+        Tree::Prim => prim::passages(&graph, start, rng, watch),
+        Tree::Wilson => wilson::passages(&graph, start, rng, watch),
+    }
+}
+
+/// A passage: parent and child, and the door between them.
+type Passage = ([i32; 2], u32);
+
+/// `opening` of all passages, drawn without return.
+fn opened(passages: &[Passage], opening: f64, key: Key) -> Vec<Passage> {
+    let mut chosen = passages.to_vec();
+    let wanted = (opening * passages.len() as f64).round() as usize;
+    if wanted < chosen.len() {
+        let mut rng = Rng::new(key, stream::OPENING);
+        for i in 0..wanted {
+            let other = i + rng.below((chosen.len() - i) as u32) as usize;
+            chosen.swap(i, other);
+        }
+        chosen.truncate(wanted);
+    }
+    chosen
+}

@@ -1,0 +1,61 @@
+//! The doors of every cell in one row.
+
+use super::Passage;
+
+/// The neighbours of every cell and the doors to them, in one row.
+///
+/// Cells are renumbered by first appearance in `sides`: the edges of a diagram follow a curve through the plane, so
+/// cells that are neighbours come to lie close in memory, which makes the search several times faster.
+pub(super) struct Neighbours {
+    pub(super) cell_of: Vec<i32>,
+    pub(super) rank_of: Vec<u32>,
+    /// Where the entries of each cell start, and the end.
+    pub(super) starts: Vec<u32>,
+    /// Rank of the neighbour, and the door.
+    pub(super) entries: Vec<[u32; 2]>,
+}
+
+impl Neighbours {
+    pub(super) fn of(cells: usize, sides: &[[i32; 2]], door: &[bool]) -> Self {
+        let doors = || (0..sides.len()).filter(|&k| door[k] && !sides[k].contains(&-1));
+        let mut cell_of = Vec::with_capacity(cells);
+        let mut rank_of = vec![u32::MAX; cells];
+        let mut rank = |cell: i32| {
+            let rank = &mut rank_of[cell as usize];
+            if *rank == u32::MAX {
+                *rank = cell_of.len() as u32;
+                cell_of.push(cell);
+            }
+            *rank as usize
+        };
+        let mut starts = vec![0_u32; cells + 2];
+        for cell in doors().flat_map(|k| sides[k]) {
+            starts[rank(cell) + 2] += 1;
+        }
+        // Cells without a door come last.
+        (0..cells as i32).for_each(|cell| _ = rank(cell));
+        for i in 2..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut entries = vec![[0; 2]; starts[cells + 1] as usize];
+        for k in doors() {
+            let [a, b] = sides[k].map(|cell| rank_of[cell as usize]);
+            for (from, to) in [(a, b), (b, a)] {
+                // Counted two places on, filled one place on: what is left at the end are the starts.
+                let place = &mut starts[from as usize + 1];
+                entries[*place as usize] = [to, k as u32];
+                *place += 1;
+            }
+        }
+        Self { cell_of, rank_of, starts, entries }
+    }
+
+    /// The passage between two ranks.
+    pub(super) fn passage(&self, from: u32, to: u32, door: u32) -> Passage {
+        ([from, to].map(|rank| self.cell_of[rank as usize]), door)
+    }
+
+    pub(super) fn entries_of(&self, cell: u32) -> &[[u32; 2]] {
+        &self.entries[self.starts[cell as usize] as usize..self.starts[cell as usize + 1] as usize]
+    }
+}
