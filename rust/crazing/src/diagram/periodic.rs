@@ -33,9 +33,9 @@ pub struct PeriodicDiagram {
 /// The sides of a torus may differ by this factor, so that exact arithmetic neither over- nor underflows.
 const MOST_OBLONG: f64 = 4_294_967_296.0;
 
-/// Copies in the first halo, in roots of the number of sites: of uniform sites a rim 4.5 spacings wide. An empty circle
-/// that reaches over it is found in one of some hundred sets; the halo then grows.
-const RIM: f64 = 18.0;
+/// Copies in the first halo, in roots of the number of sites: of uniform sites a rim 6 spacings wide. Where an empty
+/// circle reaches over it, the halo grows.
+const RIM: f64 = 24.0;
 
 /// The Delaunay triangulation and Voronoi diagram of `points` repeated with `period`.
 ///
@@ -120,7 +120,8 @@ impl Cell {
 
 /// `x` moved by whole periods into [0, side).
 fn wrapped(x: f64, side: f64) -> f64 {
-    let rest = libm::fmod(x, side);
+    // The remainder is slow, and most points are inside already.
+    let rest = if (0.0..side).contains(&x) { x } else { libm::fmod(x, side) };
     let positive = if rest < 0.0 { rest + side } else { rest };
     // Adding zero turns -0.0 into 0.0.
     if positive < side { positive + 0.0 } else { 0.0 }
@@ -156,8 +157,9 @@ fn cover(rows: &[Row], cell: &Cell, halo: Halo, watch: Watch<'_>) -> Result<Cove
     }
     let (site, shift): (Vec<i32>, Vec<[i8; 2]>) = merged.curve.iter().map(|&i| origin[i as usize]).unzip();
     let mut topology = triangulate(&merged.along, watch)?;
-    ties::settle(&mut topology, &merged.along);
     let centres = centres(&topology, &merged.along);
+    // Triangles of one polygon have one centre, so that of each is still its own.
+    ties::settle(&mut topology, &merged.along, &centres);
     Ok(Cover { site_of: merged.site_of, at: merged.along, site, shift, topology, centres })
 }
 

@@ -3,14 +3,21 @@
 //! Copies of one polygon, a period apart, would otherwise be cut by different diagonals.
 
 use super::delaunay::Topology;
+use super::vertices::coincide;
 use crate::graph::Point;
 use crate::parallel;
 use crate::predicates::in_circle;
 
 /// Cuts every polygon of cocircular sites into a fan about its lowest corner, by x and then y: a choice that does not
 /// change when the polygon is moved.
-pub(super) fn settle(topology: &mut Topology, points: &[Point]) {
-    let tied = parallel::map(topology.edges.len(), |k| is_tied(topology, points, k));
+///
+/// `centres` are the circumcentres of the triangles: where they differ much there is no need of an exact sign.
+pub(super) fn settle(topology: &mut Topology, points: &[Point], centres: &[Point]) {
+    let near = |k: usize| match topology.dual_edges[k] {
+        [-1, _] | [_, -1] => false,
+        [r, s] => coincide(centres[r as usize], centres[s as usize], points[topology.edges[k][0] as usize]),
+    };
+    let tied = parallel::map(topology.edges.len(), |k| near(k) && is_tied(topology, points, k));
     let seeds: Vec<usize> = (0..tied.len()).filter(|&k| tied[k]).collect();
     if seeds.is_empty() {
         return;

@@ -45,7 +45,8 @@ impl Cover {
             if corners.iter().any(|&i| self.is_home(i)) {
                 let corner = self.at[corners[0] as usize];
                 // Grown by far more than the rounding of the centre.
-                let radius = (1.0 + 1e-9) * libm::hypot(centre[0] - corner[0], centre[1] - corner[1]);
+                let (x, y) = (centre[0] - corner[0], centre[1] - corner[1]);
+                let radius = (1.0 + 1e-9) * (x * x + y * y).sqrt();
                 for i in 0..2 {
                     let out = (radius - centre[i]).max(centre[i] + radius - period[i]);
                     // A centre that is no number reaches anywhere.
