@@ -22,7 +22,7 @@ mod _core {
     #[pymodule_export]
     use crate::crack::crack;
     #[pymodule_export]
-    use crate::diagram::{diagram, dual_edges, onext};
+    use crate::diagram::{diagram, dual_edges, onext, representatives};
     #[pymodule_export]
     use crate::graph::{graph_compact, graph_components, graph_degrees, graph_polylines};
     #[pymodule_export]
@@ -36,7 +36,7 @@ mod _core {
     #[pymodule_export]
     use crate::sample::{sample_laplace, sample_normal, sample_uniform};
     #[pymodule_export]
-    use crate::skeleton::{axis_edges, one_step, second};
+    use crate::skeleton::{axis_edges, crust_mask, poles, poles_axis, second};
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

@@ -2,20 +2,51 @@
 
 use crazing::skeleton;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arrays::{column, table};
 use crate::diagram::Arrays;
 use crate::guard::detached;
 
-/// Whether each edge is one-step crust.
+type Mask<'py> = Bound<'py, PyArray1<bool>>;
+
+/// Whether each edge is crust by a method that looks at the diagram alone.
 #[pyfunction]
-pub(crate) fn one_step<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound<'py, PyArray1<bool>>> {
+pub(crate) fn crust_mask<'py>(py: Python<'py>, arrays: Arrays<'py>, method: &str) -> PyResult<Mask<'py>> {
     let view = arrays.view()?;
-    Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::one_step(view))?))
+    let mask_of = match method {
+        "one-step" => skeleton::one_step,
+        "gabriel" => skeleton::gabriel,
+        "nn" => skeleton::nearest,
+        _ => return Err(PyValueError::new_err(format!("no crust method {method:?}"))),
+    };
+    Ok(PyArray1::from_vec(py, detached(py, |_| mask_of(view))?))
 }
 
-type Second<'py> = (Bound<'py, PyArray1<bool>>, Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<bool>>);
+/// Two poles a site, by the thesis or by Amenta and Bern.
+#[pyfunction]
+pub(crate) fn poles<'py>(py: Python<'py>, arrays: Arrays<'py>, amenta: bool) -> PyResult<Bound<'py, PyArray2<i32>>> {
+    let view = arrays.view()?;
+    table(py, detached(py, |_| skeleton::poles(view, variant(amenta)))?)
+}
+
+/// Edges between two poles in the triangulation of sites and poles.
+#[pyfunction]
+pub(crate) fn poles_axis<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    amenta: bool,
+) -> PyResult<Bound<'py, PyArray2<i32>>> {
+    let view = arrays.view()?;
+    table(py, detached(py, |watch| skeleton::poles_axis(view, variant(amenta), watch))?)
+}
+
+fn variant(amenta: bool) -> skeleton::Variant {
+    if amenta { skeleton::Variant::Amenta } else { skeleton::Variant::Thesis }
+}
+
+type Second<'py> = (Mask<'py>, Bound<'py, PyArray2<i32>>, Mask<'py>);
 
 /// Two-pass crust mask, initial axis edges and edge-filter mask, by the second triangulation.
 #[pyfunction]

@@ -1,9 +1,16 @@
 //! Curves and skeletons of point samples, one method a file.
 
+mod far;
+mod gabriel;
+mod nearest;
 mod one_step;
+mod poles;
 mod second;
 
+pub use gabriel::gabriel;
+pub use nearest::nearest;
 pub use one_step::one_step;
+pub use poles::{Variant, poles, poles_axis};
 pub use second::{Second, second};
 
 use crate::diagram::{DiagramView, representatives};

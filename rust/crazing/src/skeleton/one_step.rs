@@ -40,7 +40,7 @@ fn is_crust(view: DiagramView<'_>, k: usize, site: &impl Fn(i32) -> Point) -> bo
 
 /// The corner that is neither `p` nor `q`.
 #[inline]
-fn opposite(corners: [i32; 3], p: i32, q: i32) -> i32 {
+pub(super) fn opposite(corners: [i32; 3], p: i32, q: i32) -> i32 {
     let other = |c: i32| c != p && c != q;
     if other(corners[0]) {
         corners[0]
