@@ -10,7 +10,7 @@ from crazing.files import save_png
 from crazing.graph import PlanarGraph
 from crazing.maze import Maze, maze
 from crazing.render import Style, render
-from crazing.skeleton import Skeleton, crust, medial_axis, nested, poles
+from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.versions import algorithm_version, show_versions
 
 __all__ = [
@@ -30,6 +30,7 @@ __all__ = [
     "compare",
     "crack",
     "crust",
+    "curve",
     "diagram",
     "maze",
     "medial_axis",

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from crazing import _core
+from crazing import _core, pruning
 from crazing.arguments import choice, count, real_array
 from crazing.diagram import Diagram, as_diagram
 from crazing.graph import PlanarGraph
@@ -52,6 +52,200 @@ class Skeleton(Record):
 
     def __repr__(self) -> str:
         return f"Skeleton({self.method!r}, {len(self.crust.edges)} crust edges, {len(self.axis.edges)} axis edges)"
+
+    @cached_property
+    def radius(self) -> NDArray[np.float64]:
+        """(t,) float64, the distance from each vertex of the diagram to its nearest site, in data units.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> cz.medial_axis([(0, 0), (6, 0), (0, 8)]).radius
+        array([5.])
+        """
+        site = self.diagram.sites[self.diagram.triangles[:, 0]]
+        # Between the ends of the range of floats the radius may be none.
+        with np.errstate(over="ignore"):
+            return np.asarray(np.hypot(*(self.diagram.vertices - site).T))
+
+    @cached_property
+    def inside(self) -> Mask:
+        """(m,) bool, the axis edges inside the closed rings of the crust, over the diagram's edges.
+
+        Triangles are flooded from infinity, sides change across rings. Where the crust is not made of rings alone,
+        the rings are those of :func:`crazing.curve` on the same diagram. For an axis without a mask these are all
+        dual edges inside.
+
+        Examples
+        --------
+        >>> import numpy as np, crazing as cz
+        >>> t = np.linspace(0, 2 * np.pi, 200, endpoint=False)
+        >>> s = cz.medial_axis(np.column_stack([2 * np.cos(t), np.sin(t)]), method="one-step")
+        >>> bool((s.inside <= s.axis_mask).all()), int(s.inside.sum())
+        (True, 197)
+        """
+        inner = self._sides[0]
+        return inner if self.axis_mask is None else inner & self.axis_mask
+
+    @property
+    def inner(self) -> PlanarGraph:
+        """The axis inside the closed rings of the crust, on the diagram's vertices.
+
+        Examples
+        --------
+        >>> import numpy as np, crazing as cz
+        >>> t = np.linspace(0, 2 * np.pi, 200, endpoint=False)
+        >>> cz.medial_axis(np.column_stack([2 * np.cos(t), np.sin(t)])).inner.leaves
+        2
+        """
+        return _axis_graph(self.diagram, self.inside)
+
+    @property
+    def main(self) -> PlanarGraph:
+        """The longest path of the axis, inside the crust if any of it is: a centreline, on the diagram's vertices.
+
+        In an axis with rings it is a shortest path nearly as long as any.
+
+        Examples
+        --------
+        >>> import numpy as np, crazing as cz
+        >>> t = np.linspace(0, 2 * np.pi, 200, endpoint=False)
+        >>> main = cz.medial_axis(np.column_stack([2 * np.cos(t), np.sin(t)])).main
+        >>> round(main.length, 2), main.leaves
+        (3.0, 2)
+        """
+        inner = self.inner
+        axis = inner if len(inner.edges) else self.axis
+        return PlanarGraph(axis.vertices, axis.edges[_core.longest(axis.vertices, axis.edges)])
+
+    def prune(
+        self,
+        residual: float | None = None,
+        *,
+        chord: float | None = None,
+        length: float | None = None,
+        ratio: float | None = None,
+        retract: int | None = None,
+    ) -> Skeleton:
+        """The same skeleton with an axis without hairs.
+
+        What is given is done in the order of the parameters; what is not given is not done. If nothing is, it is
+        the arc residual of 0.025.
+
+        Parameters
+        ----------
+        residual : float, optional
+            Least part of the closed ring of crust that an axis edge has to span: the shorter way along the ring
+            between its two sites, over the length of the ring. Needs no unit, keeps one component and makes no
+            cycle. Between two lines it is infinite.
+        chord : float, optional
+            Least distance between the two sites of an axis edge, in data units.
+        length : float, optional
+            Least length of a branch that ends freely, in data units; the shortest goes first.
+        ratio : float, optional
+            Least ratio of what a branch that ends freely reaches, its length and the radius at its tip, to the
+            radius at its junction; 1 is a branch that adds nothing.
+        retract : int, optional
+            How many times every leaf is retracted to its parent; the sample at its tip is moved to the parent's
+            circle.
+
+        Returns
+        -------
+        Skeleton
+            The diagram and its numbering are the same. The crust is that of before, but for moved samples.
+
+        Raises
+        ------
+        ValueError
+            If a number is negative or not finite, or the axis has edges that are not dual (methods `"initial"` and
+            `"poles"`).
+
+        Notes
+        -----
+        Measured on 1,000 samples of an ellipse and of a flower with 13 petals, moved by up to a quarter of their
+        spacing: the inner one-step axis has about 350 leaves in one component, the edge-filtered one falls into a
+        hundred components; pruned by the default, the one-step axis has 2 and 13 leaves. Sources: Ogniewicz, Kübler:
+        Hierarchic Voronoi Skeletons, 1995 (arc residual); Chazal, Lieutier: The lambda-medial axis, 2005 (chord);
+        Gold, Thibault: Map generalization by skeleton retraction, 2001.
+
+        Examples
+        --------
+        >>> import numpy as np, crazing as cz
+        >>> t = np.linspace(0, 2 * np.pi, 500, endpoint=False)
+        >>> noise = 1 + 0.002 * np.cos(np.arange(500) ** 2)
+        >>> s = cz.medial_axis(np.column_stack([2 * noise * np.cos(t), noise * np.sin(t)]), method="one-step")
+        >>> s.inner.leaves > 20, s.prune().inner.leaves
+        (True, 2)
+        """
+        limits = pruning.Limits(residual=residual, chord=chord, length=length, ratio=ratio, retract=retract)
+        return pruning.prune(self, limits)
+
+    @cached_property
+    def ring_mask(self) -> Mask:
+        """(m,) bool, the edges whose rings tell inside from outside: the crust, or the curve where that branches.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> int(cz.medial_axis([(0, 0), (6, 0), (0, 8)]).ring_mask.sum())
+        3
+        """
+        mask = self.crust_mask
+        if mask is None:
+            mask = _among(self.diagram.edges, self.crust.edges)
+        degrees = PlanarGraph(self.diagram.sites, self.diagram.edges[mask]).degrees
+        return mask if (degrees == 2).all() else _core.curve(self.diagram.arrays)
+
+    @cached_property
+    def _sides(self) -> tuple[Mask, NDArray[np.float64]]:
+        """Whether each dual edge is inside the rings, and its arc residual."""
+        return _core.sides(self.diagram.arrays, self.ring_mask)
+
+
+def _among(edges: NDArray[np.int32], wanted: NDArray[np.int32]) -> Mask:
+    """Which rows of `edges` are in `wanted`, as they stand."""
+    rows, keys = (np.ascontiguousarray(table).view(np.int64).ravel() for table in (edges, wanted))
+    return np.isin(rows, keys)
+
+
+def curve(points: ArrayLike | Diagram) -> PlanarGraph:
+    """Closed or open curves through all samples, corners included.
+
+    Parameters
+    ----------
+    points : (n, 2) array_like or Diagram
+        Samples of one or more curves that do not touch.
+
+    Returns
+    -------
+    PlanarGraph
+        Vertices are the sites of the diagram, edges are Delaunay edges in its order. No site has more than two;
+        `polylines` gives the curves.
+
+    Raises
+    ------
+    DegenerateInputError
+        If there are fewer than three distinct samples, or all lie on one line.
+    CrazingError
+        If a coordinate is NaN or infinite.
+
+    Notes
+    -----
+    The one-step crust, with edges exchanged along short trails wherever a sample has not two edges or the curve
+    turns sharply, as long as that lowers a cost of edge lengths beside their surroundings, turns, uneven lengths, free
+    ends and small rings. Source: after Gold, Snoeyink 2001 (the crust) and Ohrhallinger, Mudur 2013 (every sample wants
+    two cheap edges); the cost is our own.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> wedge = [(x / 8, s * x / 64) for x in range(9) for s in (1, -1)] + [(1, 0)]
+    >>> curve = cz.curve(wedge)
+    >>> len(curve.edges), set(curve.degrees.tolist())
+    (18, {2})
+    """
+    diagram = as_diagram(points)
+    return _crust_graph(diagram, _core.curve(diagram.arrays))
 
 
 def crust(points: ArrayLike | Diagram, *, method: str = "two-pass") -> PlanarGraph:

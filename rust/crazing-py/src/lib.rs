@@ -36,7 +36,7 @@ mod _core {
     #[pymodule_export]
     use crate::sample::{sample_laplace, sample_normal, sample_uniform};
     #[pymodule_export]
-    use crate::skeleton::{axis_edges, crust_mask, poles, poles_axis, second};
+    use crate::skeleton::{axis_edges, branches, crust_mask, curve, longest, poles, poles_axis, second, sides};
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

@@ -1,16 +1,26 @@
 //! Curves and skeletons of point samples, one method a file.
 
+mod branches;
+mod cost;
+mod curve;
 mod far;
 mod gabriel;
+mod longest;
 mod nearest;
 mod one_step;
 mod poles;
+mod rings;
 mod second;
+mod spacing;
 
+pub use branches::{Measure, branches};
+pub use curve::curve;
 pub use gabriel::gabriel;
+pub use longest::longest;
 pub use nearest::nearest;
 pub use one_step::one_step;
 pub use poles::{Variant, poles, poles_axis};
+pub use rings::{inside, residuals};
 pub use second::{Second, second};
 
 use crate::diagram::{DiagramView, representatives};
