@@ -2,6 +2,7 @@
 
 from crazing import sample
 from crazing._core import __version__
+from crazing.centerline import centerline
 from crazing.compare import Comparison, compare
 from crazing.crack import Crack, crack
 from crazing.diagram import Diagram, QuadEdge, diagram
@@ -27,6 +28,7 @@ __all__ = [
     "Style",
     "__version__",
     "algorithm_version",
+    "centerline",
     "compare",
     "crack",
     "crust",
