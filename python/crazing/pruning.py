@@ -57,7 +57,11 @@ def prune(skeleton: Skeleton, limits: Limits) -> Skeleton:
         mask, sites = _retracted(skeleton, mask, crust.vertices)
         crust = PlanarGraph(sites, crust.edges)
     axis = PlanarGraph(diagram.vertices, _core.axis_edges(diagram.arrays, mask))
-    return replace(skeleton, crust=crust, axis=axis, axis_mask=mask)
+    pruned = replace(skeleton, crust=crust, axis=axis, axis_mask=mask)
+    # What depends on the samples alone is not found twice.
+    known = ("radius", "ring_mask", "_sides")
+    vars(pruned).update({name: vars(skeleton)[name] for name in known if name in vars(skeleton)})
+    return pruned
 
 
 def _drawn(skeleton: Skeleton, mask: Mask) -> tuple[NDArray[np.intp], NDArray[np.int32]]:

@@ -21,7 +21,7 @@ const RING: f64 = 4.0;
 /// Sites of a ring that costs nothing for its smallness.
 pub(super) const RING_FREE: usize = 13;
 /// Costs at a site beyond this make the search begin there.
-pub(super) const SUSPECT: f64 = 0.35 * TURN;
+pub(super) const SUSPECT: f64 = 0.6 * TURN;
 
 /// An edge as seen from a site.
 #[derive(Clone, Copy)]
