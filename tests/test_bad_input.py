@@ -18,9 +18,16 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "maze periodic": lambda points: cz.maze(points, period=(7.0, 5.0), rng=1),
     "crust": cz.crust,
     "crust one-step": lambda points: cz.crust(points, method="one-step"),
+    "crust gabriel": lambda points: cz.crust(points, method="gabriel"),
+    "crust nn": lambda points: cz.crust(points, method="nn"),
     "medial_axis initial": lambda points: cz.medial_axis(points, method="initial"),
     "medial_axis edge-filter": lambda points: cz.medial_axis(points, method="edge-filter"),
     "medial_axis one-step": lambda points: cz.medial_axis(points, method="one-step"),
+    "medial_axis poles": lambda points: cz.medial_axis(points, method="poles"),
+    "curve": cz.curve,
+    "prune": lambda points: cz.medial_axis(points, method="one-step").prune(),
+    "poles": cz.poles,
+    "nested": lambda points: cz.nested(points, iterations=2, method="one-step"),
     "compare": cz.compare,
     "maze voronoi": lambda points: cz.maze(points, cells="voronoi", rng=1),
     "maze delaunay": lambda points: cz.maze(points, cells="delaunay", rng=1),
@@ -28,7 +35,9 @@ CALLS: dict[str, Callable[[Any], Any]] = {
 }
 # Those that have an answer whatever the number of sites and their places.
 LENIENT = ["diagram", "maze voronoi"]
-STRICT = [name for name in CALLS if name.startswith(("crust", "medial_axis", "compare"))]
+STRICT = [
+    name for name in CALLS if name.startswith(("crust", "curve", "prune", "medial_axis", "poles", "nested", "compare"))
+]
 
 NAN, INF = float("nan"), float("inf")
 SQUARE = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [1.0, 2.0], [3.0, 2.5]]

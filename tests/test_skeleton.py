@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
-from scipy.spatial import Delaunay, Voronoi
+from scipy.spatial import Delaunay, Voronoi, cKDTree
 
 import crazing as cz
 
@@ -119,3 +121,109 @@ def test_quarter_turns_scales_and_offsets_change_nothing() -> None:
         cz.crust(points + 2.0**40, method="one-step"),
     ):
         assert pairs(other.edges) == pairs(crust.edges)
+
+
+def angles_of(d: cz.Diagram) -> NDArray[np.float64]:
+    """For every edge the larger of the angles opposite it, in radians."""
+    largest = np.zeros(len(d.edges))
+    for side in d.dual_edges.T:
+        corners = d.triangles[side]
+        apex = np.where((corners[:, :, None] == d.edges[:, None, :]).any(axis=2), 0, corners).sum(axis=1)
+        apex[side < 0] = 0
+        a, b = (d.sites[d.edges[:, end]] - d.sites[apex] for end in (0, 1))
+        angle = np.arctan2(np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]), (a * b).sum(axis=1))
+        largest = np.where(side >= 0, np.maximum(largest, angle), largest)
+    return largest
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_gabriel_edges_are_those_whose_circle_is_empty(seed: int) -> None:
+    d = cz.diagram(cz.sample.uniform(300, rng=seed))
+    middle = d.sites[d.edges].mean(axis=1)
+    distance, _ = cKDTree(d.sites).query(middle)
+    empty = distance > 0.5 * d.delaunay.lengths * (1 - 1e-12)
+    assert pairs(cz.crust(d, method="gabriel").edges) == pairs(d.edges[empty])
+    assert pairs(d.edges[angles_of(d) <= np.pi / 2]) == pairs(d.edges[empty])
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_nn_is_dey_and_kumars_algorithm(seed: int) -> None:
+    d = cz.diagram(cz.sample.uniform(200, rng=seed))
+    neighbours: dict[int, list[int]] = {i: [] for i in range(len(d.sites))}
+    for a, b in d.edges.tolist():
+        neighbours[a].append(b)
+        neighbours[b].append(a)
+    expected = set()
+    for p, others in neighbours.items():
+        step = {q: d.sites[q] - d.sites[p] for q in others}
+        q = min(others, key=lambda q: np.hypot(*step[q]))
+        beyond = [s for s in others if step[s] @ step[q] < 0]
+        for s in [q, *sorted(beyond, key=lambda s: np.hypot(*step[s]))[:1]]:
+            expected.add((min(p, s), max(p, s)))
+    assert pairs(cz.crust(d, method="nn").edges) == expected
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_poles_are_the_farthest_vertices(seed: int) -> None:
+    d = cz.diagram(cz.sample.uniform(100, rng=seed))
+    hull = set(d.edges[d.dual_edges[:, 1] < 0].ravel().tolist())
+    thesis, amenta = (cz.poles(d, variant=variant) for variant in ("thesis", "amenta"))
+    for site in range(len(d.sites)):
+        corners = np.flatnonzero((d.triangles == site).any(axis=1))
+        step = d.vertices[corners] - d.sites[site]
+        first = np.argmax(np.hypot(*step.T))
+        along = step @ step[first]
+        second = np.argmin(along) if len(corners) > 1 else None
+        assert thesis[site].tolist() == [corners[first], -1 if second is None else corners[second]]
+        if site in hull:
+            assert amenta[site, 0] == -1
+            continue
+        behind = np.where(along < 0, np.hypot(*step.T), -1)
+        assert amenta[site].tolist() == [corners[first], corners[np.argmax(behind)] if behind.max() > 0 else -1]
+
+
+@pytest.mark.parametrize("variant", ["thesis", "amenta"])
+def test_axis_of_poles_joins_poles(variant: str) -> None:
+    d = cz.diagram(flower(300))
+    s = cz.medial_axis(d, method="poles", variant=variant)
+    poles = cz.poles(d, variant=variant)
+    assert set(s.axis.edges.ravel().tolist()) <= set(poles.ravel().tolist()) - {-1}
+    assert s.crust_mask is None
+    assert s.axis_mask is None
+    assert len(s.crust.edges) == 300
+    # The same edges by the definition, on SciPy.
+    used = np.unique(poles[poles >= 0])
+    simplices = Delaunay(np.vstack([d.sites, d.vertices[used]])).simplices
+    edges = np.vstack([simplices[:, [0, 1]], simplices[:, [1, 2]], simplices[:, [2, 0]]])
+    expected = pairs(used[edges[(edges >= 300).all(axis=1)] - 300])
+    assert len(pairs(s.axis.edges) ^ expected) <= 0.01 * len(expected)
+
+
+@pytest.mark.parametrize("method", ["initial", "poles", "edge-filter", "one-step"])
+def test_nested_skeletons_grow_by_their_vertices(method: str) -> None:
+    points = cz.sample.uniform(75, rng=2)
+    everywhere = (-np.inf, -np.inf, np.inf, np.inf)
+    free = cz.nested(points, iterations=3, method=method, bounds=everywhere)
+    for before, after in pairwise(free):
+        assert len(after.diagram.sites) == len(before.diagram.sites) + len(before.diagram.vertices)
+    assert free[0] == cz.medial_axis(points, method=method)
+    for default in cz.nested(points, iterations=3, method=method):
+        low, high = points.min(axis=0), points.max(axis=0)
+        margin = (high - low) / 2 * (1 + 1e-12)
+        assert (default.diagram.sites >= low - margin).all()
+        assert (default.diagram.sites <= high + margin).all()
+        assert default.method == method
+
+
+def test_nested_of_a_grid_feeds_each_vertex_back_once() -> None:
+    first, second = cz.nested(np.array([(x, y) for x in range(8) for y in range(8)]), iterations=2, bounds=(0, 0, 7, 3))
+    assert len(second.diagram.sites) == len(first.diagram.sites) + 7 * 3
+
+
+def test_nested_refuses_nonsense() -> None:
+    for iterations in (0, -1):
+        with pytest.raises(ValueError, match="iterations is"):
+            cz.nested(flower(30), iterations=iterations)
+    for bounds in ((0, 0, 0, 1), (0, 0, np.nan, 1), (0, 0, 1)):
+        with pytest.raises(ValueError, match="bounds"):
+            cz.nested(flower(30), iterations=2, bounds=bounds)

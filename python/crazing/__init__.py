@@ -2,6 +2,7 @@
 
 from crazing import sample
 from crazing._core import __version__
+from crazing.centerline import centerline
 from crazing.compare import Comparison, compare
 from crazing.crack import Crack, crack
 from crazing.diagram import Diagram, QuadEdge, diagram
@@ -10,7 +11,7 @@ from crazing.files import save_png
 from crazing.graph import PlanarGraph
 from crazing.maze import Maze, MazeStatistics, maze
 from crazing.render import Style, render
-from crazing.skeleton import Skeleton, crust, medial_axis
+from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.versions import algorithm_version, show_versions
 
 __all__ = [
@@ -28,12 +29,16 @@ __all__ = [
     "Style",
     "__version__",
     "algorithm_version",
+    "centerline",
     "compare",
     "crack",
     "crust",
+    "curve",
     "diagram",
     "maze",
     "medial_axis",
+    "nested",
+    "poles",
     "render",
     "sample",
     "save_png",

@@ -107,6 +107,13 @@ pub(crate) fn onext<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound
     Ok(PyArray1::from_vec(py, detached(py, |_| quad_edge::onext(view))?))
 }
 
+/// For every vertex the lowest row that shares its place.
+#[pyfunction]
+pub(crate) fn representatives<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+    let view = arrays.view()?;
+    Ok(PyArray1::from_vec(py, detached(py, |_| Ok(crazing::diagram::representatives(view)))?))
+}
+
 type Clipped<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<i32>>);
 
 /// Vertices, edges and rows of the dual edges of the wanted rows, clipped to the bounds.

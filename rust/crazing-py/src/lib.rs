@@ -23,7 +23,7 @@ mod _core {
     #[pymodule_export]
     use crate::crack::crack;
     #[pymodule_export]
-    use crate::diagram::{diagram, dual_edges, onext, periodic_diagram, tile};
+    use crate::diagram::{diagram, dual_edges, onext, periodic_diagram, representatives, tile};
     #[pymodule_export]
     use crate::graph::{graph_compact, graph_components, graph_degrees, graph_polylines};
     #[pymodule_export]
@@ -39,7 +39,9 @@ mod _core {
     #[pymodule_export]
     use crate::sample::{sample_laplace, sample_normal, sample_uniform};
     #[pymodule_export]
-    use crate::skeleton::{axis_edges, edge_filter, initial, one_step, two_pass};
+    use crate::skeleton::{
+        axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
+    };
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

@@ -1,25 +1,101 @@
 //! Curves and skeletons of a diagram.
 
 use crazing::skeleton;
-use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::{column, table};
+use crate::arrays::{column, rows, table};
 use crate::diagram::Arrays;
 use crate::guard::detached;
 
-/// Whether each edge is one-step crust.
+type Mask<'py> = Bound<'py, PyArray1<bool>>;
+
+/// Whether each edge is crust by a method that looks at the diagram alone.
 #[pyfunction]
-pub(crate) fn one_step<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound<'py, PyArray1<bool>>> {
+pub(crate) fn crust_mask<'py>(py: Python<'py>, arrays: Arrays<'py>, method: &str) -> PyResult<Mask<'py>> {
     let view = arrays.view()?;
-    Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::one_step(view))?))
+    let mask_of = match method {
+        "one-step" => skeleton::one_step,
+        "gabriel" => skeleton::gabriel,
+        "nn" => skeleton::nearest,
+        "two-pass" => skeleton::two_pass,
+        _ => return Err(PyValueError::new_err(format!("no crust method {method:?}"))),
+    };
+    Ok(PyArray1::from_vec(py, detached(py, |_| mask_of(view))?))
 }
 
-/// Whether each edge is two-pass crust.
+/// Whether each edge is part of the curve through all samples.
 #[pyfunction]
-pub(crate) fn two_pass<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound<'py, PyArray1<bool>>> {
+pub(crate) fn curve<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Mask<'py>> {
     let view = arrays.view()?;
-    Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::two_pass(view))?))
+    Ok(PyArray1::from_vec(py, detached(py, |watch| skeleton::curve(view, watch))?))
+}
+
+type Sides<'py> = (Mask<'py>, Bound<'py, PyArray1<f64>>);
+
+/// Whether each dual edge is inside the rings of the masked edges, and its arc residual.
+#[pyfunction]
+pub(crate) fn sides<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    mask: PyReadonlyArray1<'py, bool>,
+) -> PyResult<Sides<'py>> {
+    let view = arrays.view()?;
+    let mask = column(&mask, "mask", view.edges.len())?;
+    let (inside, residuals) =
+        detached(py, |watch| Ok((skeleton::inside(view, mask, watch)?, skeleton::residuals(view, mask, watch)?)))?;
+    Ok((PyArray1::from_vec(py, inside), PyArray1::from_vec(py, residuals)))
+}
+
+/// Which edges are left when branches that measure less are taken off.
+#[pyfunction]
+pub(crate) fn branches<'py>(
+    py: Python<'py>,
+    vertices: PyReadonlyArray2<'py, f64>,
+    edges: PyReadonlyArray2<'py, i32>,
+    radius: PyReadonlyArray1<'py, f64>,
+    by_radius: bool,
+    least: f64,
+) -> PyResult<Mask<'py>> {
+    let (vertices, edges) = (rows(&vertices)?, rows(&edges)?);
+    let radius = column(&radius, "radius", vertices.len())?;
+    let measure = if by_radius { skeleton::Measure::Radius } else { skeleton::Measure::Length };
+    let kept = detached(py, |watch| skeleton::branches(vertices, edges, radius, measure, least, watch))?;
+    Ok(PyArray1::from_vec(py, kept))
+}
+
+/// The rows of edges along the longest path.
+#[pyfunction]
+pub(crate) fn longest_path<'py>(
+    py: Python<'py>,
+    vertices: PyReadonlyArray2<'py, f64>,
+    edges: PyReadonlyArray2<'py, i32>,
+) -> PyResult<Bound<'py, PyArray1<i32>>> {
+    let (vertices, edges) = (rows(&vertices)?, rows(&edges)?);
+    Ok(PyArray1::from_vec(py, detached(py, |watch| skeleton::longest(vertices, edges, watch))?))
+}
+
+/// Two poles a site, by the thesis or by Amenta and Bern.
+#[pyfunction]
+pub(crate) fn poles<'py>(py: Python<'py>, arrays: Arrays<'py>, amenta: bool) -> PyResult<Bound<'py, PyArray2<i32>>> {
+    let view = arrays.view()?;
+    table(py, detached(py, |_| skeleton::poles(view, variant(amenta)))?)
+}
+
+/// Edges between two poles in the triangulation of sites and poles.
+#[pyfunction]
+pub(crate) fn poles_axis<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    amenta: bool,
+) -> PyResult<Bound<'py, PyArray2<i32>>> {
+    let view = arrays.view()?;
+    table(py, detached(py, |watch| skeleton::poles_axis(view, variant(amenta), watch))?)
+}
+
+fn variant(amenta: bool) -> skeleton::Variant {
+    if amenta { skeleton::Variant::Amenta } else { skeleton::Variant::Thesis }
 }
 
 type Masks<'py> = (Bound<'py, PyArray1<bool>>, Bound<'py, PyArray1<bool>>);

@@ -7,6 +7,7 @@ pub mod crack;
 pub mod diagram;
 pub mod error;
 pub mod graph;
+pub mod incidence;
 pub mod maze;
 mod parallel;
 pub mod png;

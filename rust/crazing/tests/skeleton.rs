@@ -6,8 +6,8 @@ mod families;
 use std::collections::BTreeSet;
 
 use crazing::diagram::{diagram, representatives};
-use crazing::predicates::{apex_sign, one_step_sign};
-use crazing::skeleton::{axis_edges, one_step, second};
+use crazing::predicates::{apex_sign, nearer_sign, one_step_sign, projection_sign};
+use crazing::skeleton::{Variant, axis_edges, gabriel, nearest, one_step, poles, poles_axis, second};
 use crazing::{Diagram, Error, Point, Watch};
 use families::{any_points, family, lattice, shuffled};
 use proptest::prelude::*;
@@ -77,6 +77,44 @@ fn signs_at_and_next_to_a_tie() {
 }
 
 #[test]
+fn distances_are_told_apart_by_one_ulp() {
+    let (p, a) = ([0.1, 0.2], [3.7, 4.9]);
+    let b = [p[0] - (a[0] - p[0]), p[1] - (a[1] - p[1])];
+    assert_eq!(nearer_sign(p, a, a), 0.0);
+    assert_eq!(nearer_sign(p, a, b), -nearer_sign(p, b, a));
+    assert!(nearer_sign(p, a, [a[0].next_up(), a[1]]) < 0.0 && nearer_sign(p, a, [a[0], a[1].next_down()]) > 0.0);
+    assert_eq!(nearer_sign([0.0, 0.0], [3.0, 4.0], [-5.0, 0.0]), 0.0);
+    assert_eq!(projection_sign([0.0, 0.0], [1.0, 1.0], [1.0, 3.0], [2.0, 2.0]), 0.0);
+    assert!(projection_sign([0.0, 0.0], [1.0, 1.0], [1.0, 3.0_f64.next_down()], [2.0, 2.0]) < 0.0);
+}
+
+#[test]
+fn equally_near_neighbours_are_all_taken() {
+    // Every site of a grid has two to four neighbours at distance 1, and no more.
+    let d = of(&family("grid", 36, 0));
+    let mask = nearest(d.view()).unwrap();
+    for (k, &[p, q]) in d.edges.iter().enumerate() {
+        let [a, b] = [p, q].map(|i| d.sites[i as usize]);
+        assert_eq!(mask[k], (a[0] - b[0]).abs() + (a[1] - b[1]).abs() == 1.0);
+    }
+    let d = of(&family("curve", 2000, 0));
+    assert_eq!(nearest(d.view()).unwrap(), one_step(d.view()).unwrap());
+}
+
+#[test]
+fn poles_of_a_cell_with_known_corners() {
+    let d = of(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [2.0, 1.0]]);
+    for variant in [Variant::Thesis, Variant::Amenta] {
+        let [first, second] = poles(d.view(), variant).unwrap()[4].map(|t| d.vertices[t as usize]);
+        assert_eq!(first, [2.0, -1.5]);
+        assert!(second[0] == 2.0 && (second[1] - 19.0 / 6.0).abs() < 1e-15);
+    }
+    let corner = |variant| poles(d.view(), variant).unwrap()[2];
+    assert_ne!(corner(Variant::Thesis)[0], -1);
+    assert_eq!(corner(Variant::Amenta)[0], -1);
+}
+
+#[test]
 fn integers_and_expansions_agree() {
     // A lattice takes the integer path; the same shape scaled by a third does not, but keeps all signs that are not ties.
     let points = family("duplicates", 4000, 5);
@@ -101,21 +139,56 @@ proptest! {
         let d = of(&points);
         let Ok(one) = one_step(d.view()) else { return Ok(()) };
         let second = second(d.view(), Watch::default()).unwrap();
-        let gabriel = |k: usize| {
-            let [p, q] = d.edges[k].map(|i| d.sites[i as usize]);
-            d.dual_edges[k].iter().filter(|&&t| t != -1).all(|&t| {
-                let r = d.triangles[t as usize].into_iter().find(|c| !d.edges[k].contains(c)).unwrap();
-                apex_sign(p, q, d.sites[r as usize]) >= 0.0
-            })
-        };
-        let moderate = d.sites.iter().flatten().all(|x| x.abs() < 1e60);
+        let gabriel = gabriel(d.view()).unwrap();
         for (k, (&one, &two)) in one.iter().zip(&second.crust).enumerate() {
-            prop_assert!(!moderate || !one || gabriel(k), "one-step crust outside Gabriel");
+            prop_assert!(!one || gabriel[k], "one-step crust outside Gabriel");
             prop_assert!(one || !two, "two-pass crust outside one-step");
             prop_assert!(!(one && second.filtered[k]), "edge-filtered axis outside one-step");
         }
         for &[a, b] in &second.axis {
             prop_assert!(a < b && (b as usize) < d.triangles.len());
+        }
+    }
+
+    #[test]
+    fn nearest_neighbours_join_every_site_and_are_gabriel_or_beyond(points in any_points()) {
+        let d = of(&points);
+        let Ok(mask) = nearest(d.view()) else { return Ok(()) };
+        let mut joined = vec![0; d.sites.len()];
+        for (ends, _) in d.edges.iter().zip(&mask).filter(|(_, kept)| **kept) {
+            ends.iter().for_each(|&end| joined[end as usize] += 1);
+        }
+        prop_assert!(joined.iter().all(|&degree| degree > 0));
+        let other = of(&shuffled(&points, 3));
+        prop_assert_eq!(crust_bits(&d, &mask).len(), mask.iter().filter(|&&kept| kept).count());
+        if points.len() < 40 && d.sites.iter().flatten().all(|x| x.fract() != 0.0) {
+            prop_assert_eq!(crust_bits(&d, &mask), crust_bits(&other, &nearest(other.view()).unwrap()));
+        }
+    }
+
+    #[test]
+    fn poles_are_corners_of_their_cell(points in prop_oneof![any_points(), lattice()]) {
+        let d = of(&points);
+        let representative = representatives(d.view());
+        for variant in [Variant::Thesis, Variant::Amenta] {
+            let Ok(poles) = poles(d.view(), variant) else { return Ok(()) };
+            let mut hull = vec![false; d.sites.len()];
+            for (ends, _) in d.edges.iter().zip(&d.dual_edges).filter(|(_, dual)| dual.contains(&-1)) {
+                ends.iter().for_each(|&end| hull[end as usize] = true);
+            }
+            for (site, &[first, second]) in poles.iter().enumerate() {
+                prop_assert_eq!(first == -1, variant == Variant::Amenta && hull[site]);
+                prop_assert!(first != second || first == -1);
+                for pole in [first, second].into_iter().filter(|&pole| pole != -1) {
+                    prop_assert_eq!(representative[pole as usize], pole);
+                    let corner = |t: usize| d.triangles[t].contains(&(site as i32));
+                    prop_assert!((0..d.triangles.len()).any(|t| representative[t] == pole && corner(t)));
+                }
+            }
+            let all: BTreeSet<i32> = poles.iter().flatten().copied().collect();
+            for ends in poles_axis(d.view(), variant, Watch::default()).unwrap() {
+                prop_assert!(ends[0] < ends[1] && ends.iter().all(|end| all.contains(end)));
+            }
         }
     }
 

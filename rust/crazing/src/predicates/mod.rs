@@ -35,6 +35,31 @@ pub fn apex_sign(p: Point, q: Point, r: Point) -> f64 {
     if dot.abs() > FILTER * (x.abs() + y.abs()) { dot.signum() } else { exact_apex(p, q, r).0.sign() }
 }
 
+/// Sign of `|a - p| - |b - p|`: negative when `a` is nearer to `p` than `b`.
+pub fn nearer_sign(p: Point, a: Point, b: Point) -> f64 {
+    let square = |q: Point| (q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]);
+    let (left, right) = (square(a), square(b));
+    let value = left - right;
+    if value.abs() > FILTER * (left + right) {
+        return value.signum();
+    }
+    let square = |q: Point| {
+        let [x, y] = [Expansion::difference(q[0], p[0]), Expansion::difference(q[1], p[1])];
+        x.times(&x).plus(&y.times(&y))
+    };
+    square(a).minus(&square(b)).sign()
+}
+
+/// Sign of `(a - b) · (q - p)`: negative when `a` lies farther back than `b` along the direction from `p` to `q`.
+pub fn projection_sign(p: Point, q: Point, a: Point, b: Point) -> f64 {
+    let (x, y) = ((a[0] - b[0]) * (q[0] - p[0]), (a[1] - b[1]) * (q[1] - p[1]));
+    if (x + y).abs() > FILTER * (x.abs() + y.abs()) {
+        return (x + y).signum();
+    }
+    let along = |axis: usize| Expansion::difference(a[axis], b[axis]).times(&Expansion::difference(q[axis], p[axis]));
+    along(0).plus(&along(1)).sign()
+}
+
 /// The one-step test (Gold and Snoeyink 2001) of edge `pq` with the opposite corners `r` and `s` on its two sides.
 ///
 /// Not negative when some circle through `p` and `q` contains neither circumcentre, i.e. when the angles at `r` and

@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 
 use super::boxes::Disc;
-use super::local::pulled_in;
+use super::far::near;
 use crate::diagram::DiagramView;
 use crate::diagram::scale::{Scale, largest};
 use crate::graph::Point;
@@ -39,8 +39,8 @@ impl<'a> Cells<'a> {
         let (sites, vertices) = if scale.is_one() && largest(view.vertices) < 1e30 {
             (Cow::Borrowed(view.sites), Cow::Borrowed(view.vertices))
         } else {
-            let near = |&v: &Point| pulled_in(scale.down(v));
-            (view.sites.iter().map(|&p| scale.down(p)).collect(), view.vertices.iter().map(near).collect())
+            let close = |&v: &Point| near(scale.down(v));
+            (view.sites.iter().map(|&p| scale.down(p)).collect(), view.vertices.iter().map(close).collect())
         };
         let (starts, incident) = incident(view);
         Self { view, sites, vertices, starts, incident }

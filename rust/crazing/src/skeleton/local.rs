@@ -172,16 +172,3 @@ fn frame(sites: &[Point]) -> [Point; 2] {
     let margin = 0.5 * (high[0] - low[0]).max(high[1] - low[1]);
     [low.map(|x| x - margin), high.map(|x| x + margin)]
 }
-
-/// Vertices beyond this are moved in to it along their direction: for circles of any smaller radius a vertex that far
-/// is a half-plane all the same.
-const FAR: f64 = 1e60;
-/// Vertex coordinates below this are zero: they are rounded far coarser than that.
-const SMALL: f64 = 1e-42;
-
-/// A scaled vertex within the range of exact arithmetic.
-pub(super) fn pulled_in(v: Point) -> Point {
-    let size = v[0].abs().max(v[1].abs());
-    let v = if size > FAR { v.map(|x| x / size * FAR) } else { v };
-    v.map(|x| if x.abs() < SMALL { 0.0 } else { x })
-}

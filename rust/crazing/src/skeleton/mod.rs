@@ -1,14 +1,31 @@
 //! Curves and skeletons of point samples, one method a file.
 
 mod boxes;
+mod branches;
+mod cost;
+mod curve;
+mod far;
 mod flood;
+mod gabriel;
 mod local;
+mod longest;
+mod nearest;
 mod one_step;
 mod pencil;
+mod poles;
+mod rings;
 mod second;
+mod spacing;
 
+pub use branches::{Measure, branches};
+pub use curve::curve;
+pub use gabriel::gabriel;
 pub use local::{Local, edge_filter, two_pass};
+pub use longest::longest;
+pub use nearest::nearest;
 pub use one_step::one_step;
+pub use poles::{Variant, poles, poles_axis};
+pub use rings::{inside, residuals};
 pub use second::{Second, second};
 
 use crate::diagram::{DiagramView, representatives};

@@ -1,6 +1,6 @@
 //! The thesis' own way: a second triangulation, of sites and Voronoi vertices together.
 
-use super::local::pulled_in;
+use super::far::near;
 use super::one_step;
 use crate::diagram::scale::{Scale, largest};
 use crate::diagram::{DiagramView, representatives, triangulate_near_one};
@@ -32,7 +32,7 @@ pub fn second(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Second> {
     let distinct: Vec<i32> = (0..representative.len() as i32).filter(|&t| representative[t as usize] == t).collect();
     let scale = Scale::of(largest(view.sites));
     let mut points: Vec<Point> = view.sites.iter().map(|&p| scale.down(p)).collect();
-    points.extend(distinct.iter().map(|&t| pulled_in(scale.down(view.vertices[t as usize]))));
+    points.extend(distinct.iter().map(|&t| near(scale.down(view.vertices[t as usize]))));
     let (first_row, edges) = triangulate_near_one(points, watch)?;
     let found = Ends::sort(&edges, &first_row, &distinct, view.sites.len());
     let dual = |k: usize| view.dual_edges[k].map(|t| if t == -1 { -1 } else { representative[t as usize] });

@@ -1,0 +1,109 @@
+//! Curves through all samples, sides of the axis, and what is taken off it.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod families;
+
+use crazing::diagram::diagram;
+use crazing::graph::{components, degrees};
+use crazing::skeleton::{Measure, axis_edges, branches, curve, inside, longest, one_step, residuals};
+use crazing::{Diagram, Error, Point, Watch};
+use families::{any_points, family, lattice, shuffled};
+use proptest::prelude::*;
+
+fn of(points: &[Point]) -> Diagram {
+    diagram(points, Watch::default()).unwrap()
+}
+
+fn edges_of(d: &Diagram, mask: &[bool]) -> Vec<[i32; 2]> {
+    d.edges.iter().zip(mask).filter(|(_, kept)| **kept).map(|(&ends, _)| ends).collect()
+}
+
+#[test]
+fn a_smooth_curve_is_its_crust() {
+    let d = of(&family("curve", 2000, 0));
+    assert_eq!(curve(d.view(), Watch::default()).unwrap(), one_step(d.view()).unwrap());
+}
+
+#[test]
+fn degenerate_input_and_interrupts_are_errors() {
+    let line = of(&family("line", 9, 0));
+    assert_eq!(curve(line.view(), Watch::default()), Err(Error::Collinear { found: 9 }));
+    let d = of(&family("uniform", 60, 1));
+    assert_eq!(curve(d.view(), Watch::new(&|| false)), Err(Error::Interrupted));
+    let short = inside(d.view(), &[true], Watch::default());
+    assert!(matches!(short, Err(Error::BadLength { array: "mask", found: 1, .. })));
+}
+
+#[test]
+fn inside_of_nested_circles_alternates() {
+    let d = of(&family("two circles", 400, 0));
+    let crust = one_step(d.view()).unwrap();
+    let inner = inside(d.view(), &crust, Watch::default()).unwrap();
+    for (dual, _) in d.dual_edges.iter().zip(&inner).filter(|(_, inner)| **inner) {
+        let [x, y] = d.vertices[dual[0] as usize];
+        assert!((x.hypot(y) - 1.5).abs() < 0.01);
+    }
+    assert!(inner.iter().any(|&inner| inner));
+}
+
+#[test]
+fn residuals_are_ways_along_the_ring() {
+    let d = of(&family("circle", 60, 0));
+    let crust = one_step(d.view()).unwrap();
+    let found = residuals(d.view(), &crust, Watch::default()).unwrap();
+    for (&[p, q], residual) in d.edges.iter().zip(found) {
+        let steps = (p - q).abs().min(60 - (p - q).abs());
+        assert!((residual - f64::from(steps) / 60.0).abs() < 1e-9);
+    }
+}
+
+/// A line of four edges with a twig of length 0.5 at its middle.
+const TWIG: [Point; 6] = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [4.0, 0.0], [2.0, 0.5]];
+const TWIG_EDGES: [[i32; 2]; 5] = [[0, 1], [1, 2], [5, 2], [3, 2], [3, 4]];
+
+#[test]
+fn the_shortest_branch_goes_and_the_line_stays() {
+    let cut = |measure, least| branches(&TWIG, &TWIG_EDGES, &[1.0; 6], measure, least, Watch::default()).unwrap();
+    assert_eq!(cut(Measure::Length, 0.5), [true; 5]);
+    assert_eq!(cut(Measure::Length, 0.6), [true, true, false, true, true]);
+    // Without its junction the line has no branch left, however much is asked for.
+    assert_eq!(cut(Measure::Length, 100.0), [true, true, false, true, true]);
+    assert_eq!(cut(Measure::Radius, 1.5), [true; 5]);
+    assert_eq!(cut(Measure::Radius, 1.6), [true, true, false, true, true]);
+}
+
+#[test]
+fn the_longest_path_leaves_the_twig_out() {
+    let path = longest(&TWIG, &TWIG_EDGES, Watch::default()).unwrap();
+    let mut rows = path;
+    rows.sort_unstable();
+    assert_eq!(rows, [0, 1, 3, 4]);
+    assert_eq!(longest(&TWIG, &[], Watch::default()).unwrap(), [0; 0]);
+}
+
+proptest! {
+    #[test]
+    fn no_site_of_a_curve_has_three_edges(points in prop_oneof![any_points(), lattice()], seed in any::<u64>()) {
+        let d = of(&points);
+        let Ok(mask) = curve(d.view(), Watch::default()) else { return Ok(()) };
+        let degrees = degrees(d.sites.len(), &edges_of(&d, &mask), Watch::default()).unwrap();
+        prop_assert!(degrees.iter().all(|&degree| degree <= 2));
+        let other = of(&shuffled(&points, seed));
+        prop_assert!(curve(other.view(), Watch::default()).is_ok());
+    }
+
+    #[test]
+    fn pruning_parts_nothing(points in any_points(), least in 0.0..2.0_f64) {
+        let d = of(&points);
+        let Ok(crust) = one_step(d.view()) else { return Ok(()) };
+        let anti: Vec<bool> = crust.iter().map(|kept| !kept).collect();
+        let axis = axis_edges(d.view(), &anti);
+        let radius = vec![1.0; d.vertices.len()];
+        let kept = branches(&d.vertices, &axis, &radius, Measure::Length, least, Watch::default()).unwrap();
+        let left: Vec<[i32; 2]> = axis.iter().zip(&kept).filter(|(_, kept)| **kept).map(|(&ends, _)| ends).collect();
+        let count = |edges: &[[i32; 2]]| components(d.vertices.len(), edges, Watch::default()).unwrap().count;
+        prop_assert_eq!(count(&axis), count(&left));
+        let path = longest(&d.vertices, &left, Watch::default()).unwrap();
+        prop_assert!(path.len() <= left.len());
+    }
+}

@@ -1,0 +1,111 @@
+"""Centrelines of polygons: closed forms, holes, forms of input, refusals."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+import shapely
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import crazing as cz
+
+BOX = [(0.0, 0.0), (8.0, 0.0), (8.0, 2.0), (0.0, 2.0)]
+
+
+def circle(radius: float) -> np.ndarray:
+    t = np.linspace(0, 2 * np.pi, 400, endpoint=False)
+    return radius * np.column_stack([np.cos(t), np.sin(t)])
+
+
+def test_a_rectangle_has_a_segment_and_four_arms() -> None:
+    line = cz.centerline(BOX, spacing=0.01)
+    true = shapely.MultiLineString([[(1, 1), (7, 1)], [(0, 0), (1, 1), (0, 2)], [(8, 0), (7, 1), (8, 2)]])
+    assert (line.components, line.leaves) == (1, 4)
+    drawn = line.to_shapely()
+    # The arms end where they span 2.5 % of the boundary.
+    assert drawn.hausdorff_distance(true) <= 0.025 * 20
+    assert max(true.distance(shapely.Point(p)) for p in line.vertices) < 0.02
+
+
+def test_an_annulus_has_a_ring() -> None:
+    line = cz.centerline((circle(3.0), [circle(1.0)]))
+    np.testing.assert_allclose(np.hypot(*line.vertices.T), 2.0, atol=1e-3)
+    assert (line.components, line.leaves, len(line.edges)) == (1, 0, len(line.vertices))
+
+
+def test_two_holes_are_walked_round() -> None:
+    polygon = shapely.box(0, 0, 10, 4) - shapely.Point(3, 2).buffer(1) - shapely.Point(7, 2).buffer(1)
+    line = cz.centerline(polygon)
+    assert line.components == 1
+    assert len(line.edges) - len(line.vertices) + 1 == 2
+    assert polygon.buffer(1e-9).contains(line.to_shapely())
+
+
+def forms() -> dict[str, Any]:
+    shape = shapely.Polygon(BOX)
+    closed = [*BOX, BOX[0]]
+    return {
+        "shapely": shape,
+        "mapping": shape.__geo_interface__,
+        "feature": {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [closed]}},
+        "heights": {"type": "Polygon", "coordinates": [[(x, y, 5.0) for x, y in closed]]},
+        "multi": shapely.MultiPolygon([shape]),
+        "shell and holes": (BOX, []),
+        "clockwise": (shape.exterior.coords[::-1], []),
+        "array": np.array(BOX),
+        "closed list": closed,
+    }
+
+
+@pytest.mark.parametrize("form", forms())
+def test_every_form_of_a_polygon_is_taken(form: str) -> None:
+    line = cz.centerline(forms()[form], spacing=0.1)
+    assert line.length == pytest.approx(cz.centerline(BOX, spacing=0.1).length, rel=1e-9)
+
+
+def test_a_thin_gap_is_resolved_whatever_the_spacing() -> None:
+    polygon = shapely.box(0, 0, 10, 2) - shapely.box(1, 0.999, 9, 1.001)
+    line = cz.centerline(polygon, spacing=1.0)
+    assert line.components == 1
+    assert len(line.edges) - len(line.vertices) + 1 == 1
+    assert polygon.buffer(1e-6).contains(line.to_shapely())
+
+
+@settings(max_examples=25, deadline=None)
+@given(seed=st.integers(0, 10**6), corners=st.integers(3, 12))
+def test_any_star_has_one_tree_inside(seed: int, corners: int) -> None:
+    rng = np.random.default_rng(seed)
+    turn = 2 * np.pi * (np.arange(corners) + 0.8 * rng.random(corners)) / corners
+    shell = (rng.uniform(0.3, 1, corners) * [np.cos(turn), np.sin(turn)]).T
+    polygon = shapely.Polygon(shell)
+    line = cz.centerline(polygon)
+    assert line.components == 1
+    assert len(line.edges) == len(line.vertices) - 1
+    assert polygon.buffer(1e-6).contains(line.to_shapely())
+
+
+REFUSED: dict[str, tuple[Any, type[Exception], str]] = {
+    "a bow": ([(0, 0), (4, 4), (4, 0), (0, 3)], cz.CrazingError, "boundary"),
+    "two points": ([(0, 0), (1, 1)], ValueError, "wanted"),
+    "nothing": (shapely.Polygon(), cz.DegenerateInputError, "polygon is empty"),
+    "flat": ([(0, 0), (1, 1), (2, 2)], cz.DegenerateInputError, "no area"),
+    "nan": ([(0, 0), (1, 0), (float("nan"), 1)], cz.CrazingError, "finite"),
+    "a line": (shapely.LineString(BOX), TypeError, "LineString"),
+    "text": ("POLYGON", TypeError, "dtype"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_is_no_polygon_is_refused(name: str) -> None:
+    polygon, error, message = REFUSED[name]
+    with pytest.raises(error, match=message):
+        cz.centerline(polygon)
+
+
+@pytest.mark.parametrize("spacing", [0, -1, float("nan"), 1e-12])
+def test_spacings_that_cannot_be_are_refused(spacing: float) -> None:
+    with pytest.raises(ValueError, match="spacing is"):
+        cz.centerline(BOX, spacing=spacing)
