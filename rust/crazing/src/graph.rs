@@ -72,13 +72,13 @@ pub fn compact(vertices: &[Point], edges: &[[i32; 2]], watch: Watch<'_>) -> Resu
 /// # Errors
 /// [`Error::BadIndex`] naming the first entry that is not.
 pub fn check_indices<const N: usize>(array: &'static str, rows: &[[i32; N]], low: i32, limit: usize) -> Result<()> {
-    let limit = i64::try_from(limit).unwrap_or(i64::MAX);
-    let bad = |value: i32| value < low || i64::from(value) >= limit;
-    match rows.iter().position(|row| row.iter().any(|&value| bad(value))) {
-        None => Ok(()),
-        Some(row) => {
-            let value = rows[row].iter().copied().find(|&value| bad(value)).unwrap_or(low);
-            Err(Error::BadIndex { array, row, value: value.into(), low: low.into(), limit })
-        }
+    let limit = i32::try_from(limit).unwrap_or(i32::MAX);
+    let bad = |value: i32| (value < low) | (value >= limit);
+    // Without a way out of the loop: all entries are looked at several at a time.
+    if !rows.as_flattened().iter().fold(false, |found, &value| found | bad(value)) {
+        return Ok(());
     }
+    let row = rows.iter().position(|row| row.iter().any(|&value| bad(value))).unwrap_or(0);
+    let value = rows[row].iter().copied().find(|&value| bad(value)).unwrap_or(low);
+    Err(Error::BadIndex { array, row, value: value.into(), low: low.into(), limit: limit.into() })
 }

@@ -47,11 +47,14 @@ pub(super) fn coincide(a: Point, b: Point, site: Point) -> bool {
 
 /// For every triangle the lowest one that shares its Voronoi vertex.
 pub fn representatives(view: DiagramView<'_>) -> Vec<i32> {
+    let one = |&&[a, b]: &&[i32; 2]| a != -1 && b != -1 && view.vertices[a as usize] == view.vertices[b as usize];
+    let mut coincident = view.dual_edges.iter().filter(one).peekable();
+    if coincident.peek().is_none() {
+        return (0..view.triangles.len() as i32).collect();
+    }
     let mut sets = DisjointSets::new(view.triangles.len());
-    for &[right, left] in view.dual_edges {
-        if right != -1 && left != -1 && view.vertices[right as usize] == view.vertices[left as usize] {
-            sets.unite(right as usize, left as usize);
-        }
+    for &[right, left] in coincident {
+        sets.unite(right as usize, left as usize);
     }
     (0..view.triangles.len()).map(|triangle| sets.lowest(triangle) as i32).collect()
 }
