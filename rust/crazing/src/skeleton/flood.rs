@@ -10,6 +10,7 @@ use super::far::near;
 use crate::diagram::DiagramView;
 use crate::diagram::scale::{Scale, largest};
 use crate::graph::Point;
+use crate::incidence::Incidence;
 
 /// Cells a walk may enter, and edges it may look at: a cell with very many neighbours, asked about by each of them,
 /// would make the whole quadratic.
@@ -29,8 +30,8 @@ pub(super) struct Cells<'a> {
     pub(super) view: DiagramView<'a>,
     pub(super) sites: Cow<'a, [Point]>,
     pub(super) vertices: Cow<'a, [Point]>,
-    starts: Vec<u32>,
-    incident: Vec<u32>,
+    /// The edges at every site.
+    incident: Incidence,
 }
 
 impl<'a> Cells<'a> {
@@ -42,8 +43,8 @@ impl<'a> Cells<'a> {
             let close = |&v: &Point| near(scale.down(v));
             (view.sites.iter().map(|&p| scale.down(p)).collect(), view.vertices.iter().map(close).collect())
         };
-        let (starts, incident) = incident(view);
-        Self { view, sites, vertices, starts, incident }
+        let incident = Incidence::of(view.sites.len(), view.edges);
+        Self { view, sites, vertices, incident }
     }
 
     /// The first vertex or site met for which `inside` holds, on a walk through the cells that `disc` meets; the cells
@@ -58,7 +59,7 @@ impl<'a> Cells<'a> {
             if inside(self.sites[cell as usize]) {
                 return Found::Inside(self.sites[cell as usize]);
             }
-            let row = self.at(cell);
+            let row = self.incident.at(cell as usize);
             looked += row.len();
             if looked > MOST_EDGES {
                 return Found::TooMany;
@@ -78,10 +79,6 @@ impl<'a> Cells<'a> {
             }
         }
         Found::Nothing
-    }
-
-    fn at(&self, cell: i32) -> &[u32] {
-        &self.incident[self.starts[cell as usize] as usize..self.starts[cell as usize + 1] as usize]
     }
 
     /// The cell across an edge, and the triangle on the left of the way there: each triangle once about a cell.
@@ -115,25 +112,4 @@ impl<'a> Cells<'a> {
         let distance = dx * dx + dy * dy;
         distance <= disc.square_radius + slack || distance.is_nan()
     }
-}
-
-/// The edges at every site, in one row, and where each site's start.
-fn incident(view: DiagramView<'_>) -> (Vec<u32>, Vec<u32>) {
-    let mut starts = vec![0_u32; view.sites.len() + 2];
-    for &site in view.edges.iter().flatten() {
-        starts[site as usize + 2] += 1;
-    }
-    for i in 2..starts.len() {
-        starts[i] += starts[i - 1];
-    }
-    let mut incident = vec![0; 2 * view.edges.len()];
-    for (k, &ends) in view.edges.iter().enumerate() {
-        for site in ends {
-            // Counted two places on, filled one place on: what is left at the end are the starts.
-            let place = &mut starts[site as usize + 1];
-            incident[*place as usize] = k as u32;
-            *place += 1;
-        }
-    }
-    (starts, incident)
 }
