@@ -9,9 +9,11 @@ from crazing.diagram import Diagram, QuadEdge, diagram
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.files import save_png
 from crazing.graph import PlanarGraph
+from crazing.material import Material
 from crazing.maze import Maze, MazeStatistics, maze
 from crazing.render import Style, render
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
+from crazing.texture import Texture, TexturePlan, texture, texture_plan
 from crazing.versions import algorithm_version, show_versions
 
 __all__ = [
@@ -21,12 +23,15 @@ __all__ = [
     "DegenerateInputError",
     "Diagram",
     "InternalError",
+    "Material",
     "Maze",
     "MazeStatistics",
     "PlanarGraph",
     "QuadEdge",
     "Skeleton",
     "Style",
+    "Texture",
+    "TexturePlan",
     "__version__",
     "algorithm_version",
     "centerline",
@@ -43,4 +48,6 @@ __all__ = [
     "sample",
     "save_png",
     "show_versions",
+    "texture",
+    "texture_plan",
 ]
