@@ -77,6 +77,11 @@ def render(
     threads: int,
     out: NDArray[np.uint8],
 ) -> None: ...
+def plates(
+    pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints],
+    bounds: _Bounds,
+    period: tuple[float, float] | None,
+) -> tuple[_Ints, _Floats, _Floats]: ...
 def texture(
     pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints],
     sides: tuple[_Ints, _Floats, _Floats],

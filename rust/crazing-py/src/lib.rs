@@ -44,7 +44,7 @@ mod _core {
         axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
     };
     #[pymodule_export]
-    use crate::texture::texture;
+    use crate::texture::{plates, texture};
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]
