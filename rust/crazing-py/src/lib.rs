@@ -13,6 +13,7 @@ mod region;
 mod render;
 mod sample;
 mod skeleton;
+mod tiff;
 
 use pyo3::prelude::*;
 
@@ -31,7 +32,7 @@ mod _core {
     #[pymodule_export]
     use crate::maze::{carve, distances, longest, solve};
     #[pymodule_export]
-    use crate::png::encode_png;
+    use crate::png::{encode_png, png_head, png_rows, png_tail};
     #[pymodule_export]
     use crate::region::{dual_edges_within, region_contains};
     #[pymodule_export]
@@ -42,6 +43,8 @@ mod _core {
     use crate::skeleton::{
         axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
     };
+    #[pymodule_export]
+    use crate::tiff::tiff_tiles;
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

@@ -2,11 +2,14 @@
 //!
 //! Knows no Python, no files, no clock and no global random state. See `rust/ARCHITECTURE.md`.
 
+mod bits;
 pub mod clip;
 pub mod crack;
+pub mod deflate;
 pub mod diagram;
 pub mod error;
 pub mod graph;
+mod huffman;
 pub mod incidence;
 pub mod maze;
 mod parallel;
@@ -20,6 +23,7 @@ pub mod rng;
 pub mod sample;
 pub mod sets;
 pub mod skeleton;
+pub mod tiff;
 pub mod watch;
 
 pub use diagram::{Diagram, DiagramView};
