@@ -10,13 +10,16 @@ from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.files import save_png
 from crazing.graph import PlanarGraph
 from crazing.maze import Maze, MazeStatistics, maze
+from crazing.measure import measure
 from crazing.render import Style, render
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
+from crazing.statistics import CrackStatistics
 from crazing.versions import algorithm_version, show_versions
 
 __all__ = [
     "Comparison",
     "Crack",
+    "CrackStatistics",
     "CrazingError",
     "DegenerateInputError",
     "Diagram",
@@ -36,6 +39,7 @@ __all__ = [
     "curve",
     "diagram",
     "maze",
+    "measure",
     "medial_axis",
     "nested",
     "poles",

@@ -8,6 +8,7 @@ mod diagram;
 mod graph;
 mod guard;
 mod maze;
+mod measure;
 mod png;
 mod region;
 mod render;
@@ -30,6 +31,8 @@ mod _core {
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]
     use crate::maze::{carve, distances, longest, solve};
+    #[pymodule_export]
+    use crate::measure::{stamp, statistics, thin, trace};
     #[pymodule_export]
     use crate::png::encode_png;
     #[pymodule_export]

@@ -9,6 +9,7 @@ pub mod error;
 pub mod graph;
 pub mod incidence;
 pub mod maze;
+pub mod measure;
 mod parallel;
 pub mod png;
 pub mod predicates;
