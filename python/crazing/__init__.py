@@ -4,12 +4,13 @@ from crazing import sample
 from crazing._core import __version__
 from crazing.centerline import centerline
 from crazing.compare import Comparison, compare
-from crazing.crack import Crack, crack
+from crazing.crack import Crack
 from crazing.diagram import Diagram, QuadEdge, diagram
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.files import save_png
 from crazing.graph import PlanarGraph
 from crazing.maze import Maze, MazeStatistics, maze
+from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.versions import algorithm_version, show_versions
@@ -25,6 +26,7 @@ __all__ = [
     "MazeStatistics",
     "PlanarGraph",
     "QuadEdge",
+    "Recipe",
     "Skeleton",
     "Style",
     "__version__",
@@ -39,6 +41,8 @@ __all__ = [
     "medial_axis",
     "nested",
     "poles",
+    "preset",
+    "presets",
     "render",
     "sample",
     "save_png",

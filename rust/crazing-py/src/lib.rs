@@ -21,7 +21,7 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::crack::crack;
+    use crate::crack::{crack_pairs, crack_straighten, crack_walls, crack_walls_on_torus, crack_widths, crack_wrap};
     #[pymodule_export]
     use crate::diagram::{diagram, dual_edges, onext, periodic_diagram, representatives, tile};
     #[pymodule_export]
