@@ -9,10 +9,12 @@ from crazing.diagram import Diagram, QuadEdge, diagram
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.files import save_png
 from crazing.graph import PlanarGraph
+from crazing.material import Material
 from crazing.maze import Maze, MazeStatistics, maze
 from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
+from crazing.texture import Texture, TexturePlan, texture, texture_plan
 from crazing.versions import algorithm_version, show_versions
 
 __all__ = [
@@ -22,6 +24,7 @@ __all__ = [
     "DegenerateInputError",
     "Diagram",
     "InternalError",
+    "Material",
     "Maze",
     "MazeStatistics",
     "PlanarGraph",
@@ -29,6 +32,8 @@ __all__ = [
     "Recipe",
     "Skeleton",
     "Style",
+    "Texture",
+    "TexturePlan",
     "__version__",
     "algorithm_version",
     "centerline",
@@ -47,4 +52,6 @@ __all__ = [
     "sample",
     "save_png",
     "show_versions",
+    "texture",
+    "texture_plan",
 ]

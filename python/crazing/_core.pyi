@@ -1,6 +1,7 @@
 """The compiled module, as mypy sees it; `mypy.stubtest` holds it to the truth."""
 
-from typing import BinaryIO, TypeAlias
+from collections.abc import Mapping
+from typing import Any, BinaryIO, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -87,5 +88,17 @@ def render(
     min_width: float,
     threads: int,
     out: NDArray[np.uint8],
+) -> None: ...
+def texture(
+    pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints],
+    sides: tuple[_Ints, _Floats, _Floats],
+    bounds: _Bounds,
+    size: tuple[int, int],
+    period: tuple[float, float] | None,
+    window: tuple[int, int, int, int],
+    material: Mapping[str, Any],
+    key: _Key,
+    threads: int,
+    out: dict[str, NDArray[Any]],
 ) -> None: ...
 def encode_png(file: BinaryIO, image: NDArray[np.uint8], text: list[tuple[str, str]]) -> None: ...
