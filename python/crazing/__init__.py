@@ -6,6 +6,7 @@ from crazing.centerline import centerline
 from crazing.compare import Comparison, compare
 from crazing.crack import Crack
 from crazing.diagram import Diagram, QuadEdge, diagram
+from crazing.edit import edit
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.files import save_png
 from crazing.graph import PlanarGraph
@@ -42,6 +43,7 @@ __all__ = [
     "crust",
     "curve",
     "diagram",
+    "edit",
     "maze",
     "medial_axis",
     "nested",
