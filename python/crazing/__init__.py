@@ -4,15 +4,18 @@ from crazing import sample
 from crazing._core import __version__
 from crazing.centerline import centerline
 from crazing.compare import Comparison, compare
-from crazing.crack import Crack, crack
+from crazing.crack import Crack
 from crazing.diagram import Diagram, QuadEdge, diagram
 from crazing.edit import edit
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.files import save_png
 from crazing.graph import PlanarGraph
+from crazing.material import Material
 from crazing.maze import Maze, MazeStatistics, maze
+from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
+from crazing.texture import Texture, TexturePlan, texture, texture_plan
 from crazing.versions import algorithm_version, show_versions
 
 __all__ = [
@@ -22,12 +25,16 @@ __all__ = [
     "DegenerateInputError",
     "Diagram",
     "InternalError",
+    "Material",
     "Maze",
     "MazeStatistics",
     "PlanarGraph",
     "QuadEdge",
+    "Recipe",
     "Skeleton",
     "Style",
+    "Texture",
+    "TexturePlan",
     "__version__",
     "algorithm_version",
     "centerline",
@@ -41,8 +48,12 @@ __all__ = [
     "medial_axis",
     "nested",
     "poles",
+    "preset",
+    "presets",
     "render",
     "sample",
     "save_png",
     "show_versions",
+    "texture",
+    "texture_plan",
 ]

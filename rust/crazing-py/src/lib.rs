@@ -13,6 +13,7 @@ mod region;
 mod render;
 mod sample;
 mod skeleton;
+mod texture;
 
 use pyo3::prelude::*;
 
@@ -21,7 +22,7 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::crack::crack;
+    use crate::crack::{crack_pairs, crack_straighten, crack_walls, crack_walls_on_torus, crack_widths, crack_wrap};
     #[pymodule_export]
     use crate::diagram::{diagram, dual_edges, onext, periodic_diagram, representatives, tile};
     #[pymodule_export]
@@ -42,6 +43,8 @@ mod _core {
     use crate::skeleton::{
         axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
     };
+    #[pymodule_export]
+    use crate::texture::texture;
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

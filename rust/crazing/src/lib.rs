@@ -4,6 +4,7 @@
 
 pub mod clip;
 pub mod crack;
+mod crew;
 pub mod diagram;
 pub mod error;
 pub mod graph;
@@ -20,6 +21,7 @@ pub mod rng;
 pub mod sample;
 pub mod sets;
 pub mod skeleton;
+pub mod texture;
 pub mod watch;
 
 pub use diagram::{Diagram, DiagramView};
