@@ -8,11 +8,13 @@ mod diagram;
 mod graph;
 mod guard;
 mod maze;
+mod measure;
 mod png;
 mod region;
 mod render;
 mod sample;
 mod skeleton;
+mod texture;
 mod tiff;
 
 use pyo3::prelude::*;
@@ -22,7 +24,7 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::crack::crack;
+    use crate::crack::{crack_pairs, crack_straighten, crack_walls, crack_walls_on_torus, crack_widths, crack_wrap};
     #[pymodule_export]
     use crate::diagram::{diagram, dual_edges, onext, periodic_diagram, representatives, tile};
     #[pymodule_export]
@@ -31,6 +33,8 @@ mod _core {
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]
     use crate::maze::{carve, distances, longest, solve};
+    #[pymodule_export]
+    use crate::measure::{stamp, statistics, thin, trace};
     #[pymodule_export]
     use crate::png::{encode_png, png_head, png_rows, png_tail};
     #[pymodule_export]
@@ -43,6 +47,8 @@ mod _core {
     use crate::skeleton::{
         axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
     };
+    #[pymodule_export]
+    use crate::texture::texture;
     #[pymodule_export]
     use crate::tiff::tiff_tiles;
 

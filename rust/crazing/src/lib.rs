@@ -5,6 +5,7 @@
 mod bits;
 pub mod clip;
 pub mod crack;
+mod crew;
 pub mod deflate;
 pub mod diagram;
 pub mod error;
@@ -12,6 +13,7 @@ pub mod graph;
 mod huffman;
 pub mod incidence;
 pub mod maze;
+pub mod measure;
 mod parallel;
 pub mod png;
 pub mod predicates;
@@ -23,6 +25,7 @@ pub mod rng;
 pub mod sample;
 pub mod sets;
 pub mod skeleton;
+pub mod texture;
 pub mod tiff;
 pub mod watch;
 

@@ -48,6 +48,11 @@ pub(crate) fn several<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send)
     }
 }
 
+/// `f` of each of `0..len`, in any order.
+pub(crate) fn each(len: usize, f: impl Fn(usize) + Sync + Send) {
+    choose(len, &f, |f| (0..len).for_each(f), |f| (0..len).into_par_iter().with_min_len(WORTHWHILE / 8).for_each(f));
+}
+
 /// The first of `0..len` that `f` holds for.
 pub(crate) fn first(len: usize, f: impl Fn(usize) -> bool + Sync + Send) -> Option<usize> {
     choose(
