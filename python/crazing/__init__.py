@@ -4,21 +4,26 @@ from crazing import sample
 from crazing._core import __version__
 from crazing.centerline import centerline
 from crazing.compare import Comparison, compare
-from crazing.crack import Crack, crack
+from crazing.crack import Crack
 from crazing.diagram import Diagram, QuadEdge, diagram
+from crazing.edit import edit
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.files import save_png
 from crazing.graph import PlanarGraph
 from crazing.material import Material
 from crazing.maze import Maze, MazeStatistics, maze
+from crazing.measure import measure
+from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
+from crazing.statistics import CrackStatistics
 from crazing.texture import Texture, TexturePlan, texture, texture_plan
 from crazing.versions import algorithm_version, show_versions
 
 __all__ = [
     "Comparison",
     "Crack",
+    "CrackStatistics",
     "CrazingError",
     "DegenerateInputError",
     "Diagram",
@@ -28,6 +33,7 @@ __all__ = [
     "MazeStatistics",
     "PlanarGraph",
     "QuadEdge",
+    "Recipe",
     "Skeleton",
     "Style",
     "Texture",
@@ -40,10 +46,14 @@ __all__ = [
     "crust",
     "curve",
     "diagram",
+    "edit",
     "maze",
+    "measure",
     "medial_axis",
     "nested",
     "poles",
+    "preset",
+    "presets",
     "render",
     "sample",
     "save_png",

@@ -8,12 +8,14 @@ mod diagram;
 mod graph;
 mod guard;
 mod maze;
+mod measure;
 mod png;
 mod region;
 mod render;
 mod sample;
 mod skeleton;
 mod texture;
+mod tiff;
 
 use pyo3::prelude::*;
 
@@ -22,7 +24,7 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::crack::crack;
+    use crate::crack::{crack_pairs, crack_straighten, crack_walls, crack_walls_on_torus, crack_widths, crack_wrap};
     #[pymodule_export]
     use crate::diagram::{diagram, dual_edges, onext, periodic_diagram, representatives, tile};
     #[pymodule_export]
@@ -32,7 +34,9 @@ mod _core {
     #[pymodule_export]
     use crate::maze::{carve, distances, longest, solve};
     #[pymodule_export]
-    use crate::png::encode_png;
+    use crate::measure::{stamp, statistics, thin, trace};
+    #[pymodule_export]
+    use crate::png::{encode_png, png_head, png_rows, png_tail};
     #[pymodule_export]
     use crate::region::{dual_edges_within, region_contains};
     #[pymodule_export]
@@ -45,6 +49,8 @@ mod _core {
     };
     #[pymodule_export]
     use crate::texture::{plates, texture};
+    #[pymodule_export]
+    use crate::tiff::tiff_tiles;
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

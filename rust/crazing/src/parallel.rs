@@ -38,6 +38,21 @@ pub(crate) fn map<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> 
     )
 }
 
+/// `f` of `0..len`, in order, where every call is worth a thread.
+pub(crate) fn several<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    match rayon::ThreadPoolBuilder::new().build() {
+        Ok(pool) if len > 1 && pool.current_num_threads() > 1 => {
+            pool.install(|| (0..len).into_par_iter().map(f).collect())
+        }
+        _ => (0..len).map(f).collect(),
+    }
+}
+
+/// `f` of each of `0..len`, in any order.
+pub(crate) fn each(len: usize, f: impl Fn(usize) + Sync + Send) {
+    choose(len, &f, |f| (0..len).for_each(f), |f| (0..len).into_par_iter().with_min_len(WORTHWHILE / 8).for_each(f));
+}
+
 /// The first of `0..len` that `f` holds for.
 pub(crate) fn first(len: usize, f: impl Fn(usize) -> bool + Sync + Send) -> Option<usize> {
     choose(

@@ -1,8 +1,8 @@
 //! Width: long cracks are wide, free tips run out to a point.
 
-use super::strand::{Strands, edge_length};
+use super::net::NetView;
+use super::strand::Strands;
 use crate::error::{Error, Result};
-use crate::graph::PlanarGraph;
 
 /// Width of an abutting end, relative to the strand's own.
 const ABUTTING: f64 = 0.6;
@@ -18,23 +18,23 @@ pub struct Profile {
     pub taper: f64,
 }
 
-/// Width at the two ends of each edge. `free` tells which vertices may be free tips.
+/// Width at the two ends of each edge.
 ///
 /// # Errors
 /// [`Error::BadValue`].
-pub fn widths(graph: &PlanarGraph, strands: &Strands, free: &[bool], profile: Profile) -> Result<Vec<[f64; 2]>> {
+pub fn widths(net: NetView<'_>, strands: &Strands, profile: Profile) -> Result<Vec<[f64; 2]>> {
     for (name, value) in [("width", profile.width), ("hierarchy", profile.hierarchy), ("taper", profile.taper)] {
         if !(value.is_finite() && value >= 0.0) {
             return Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" });
         }
     }
-    let degree = degrees(graph);
-    let mut widths = vec![[0.0; 2]; graph.edges.len()];
+    let degree = net.degrees();
+    let mut widths = vec![[0.0; 2]; net.edges.len()];
     for (strand, &length) in strands.length.iter().enumerate() {
         let entries = &strands.entries[strands.starts[strand]..strands.starts[strand + 1]];
         let tip = |end: u32| {
-            let vertex = graph.edges[end as usize / 2][end as usize % 2] as usize;
-            Tip::of(degree[vertex], free[vertex])
+            let vertex = net.vertex(end);
+            Tip::of(degree[vertex], !net.cut[vertex])
         };
         let (Some(&first), Some(&last)) = (entries.first(), entries.last()) else { continue };
         let full = profile.width * libm::pow(length / strands.length[0].max(f64::MIN_POSITIVE), profile.hierarchy);
@@ -43,19 +43,11 @@ pub fn widths(graph: &PlanarGraph, strands: &Strands, free: &[bool], profile: Pr
         for &entry in entries {
             let edge = entry as usize / 2;
             widths[edge][entry as usize % 2] = shape.at(run);
-            run += edge_length(graph, edge);
+            run += net.length(edge);
             widths[edge][1 - entry as usize % 2] = shape.at(run);
         }
     }
     Ok(widths)
-}
-
-fn degrees(graph: &PlanarGraph) -> Vec<u32> {
-    let mut degrees = vec![0; graph.vertices.len()];
-    for &vertex in graph.edges.iter().flatten() {
-        degrees[vertex as usize] += 1;
-    }
-    degrees
 }
 
 /// How a strand ends.

@@ -2,9 +2,10 @@
 //!
 //! An edge of the Delaunay triangulation of sites and Voronoi vertices is one with a circle through its ends that holds
 //! none of them: a question about one pencil of circles, independent of all others. Nearly always the smallest circle
-//! that is allowed answers it with one look at the neighbourhood.
+//! answers it with one look at the neighbourhood; only otherwise the interval of circles is narrowed, point by point.
 
-use super::boxes::{Boxes, Disc};
+use super::boxes::Boxes;
+use super::disc::Disc;
 use super::flood::{Cells, Found};
 use super::one_step::{one_step, opposite};
 use super::pencil::Pencil;
@@ -15,6 +16,9 @@ use crate::parallel;
 
 /// Cuts before a pencil is judged by what is left: each at least halves the interval, so that nothing but a tie is.
 const CUTS: usize = 64;
+/// Cells that a walk may enter, for all edges and for few.
+const NEAR: usize = 24;
+const WIDE: usize = 512;
 
 /// Masks over the edges of a diagram.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -37,7 +41,8 @@ pub struct Local {
 /// Amenta, Bern, Eppstein: The Crust and the Beta-Skeleton (1998); thesis, section 4.1.
 pub fn two_pass(view: DiagramView<'_>) -> Result<Vec<bool>> {
     let one_step = one_step(view)?;
-    Ok(crust(&Cells::of(view), &one_step))
+    let cells = Cells::of(view);
+    Ok(decide(&cells, one_step.len(), |k| if one_step[k] { Some(Edge::crust(&cells, k)) } else { None }))
 }
 
 /// Two-pass crust and edge-filtered axis at once.
@@ -53,61 +58,102 @@ pub fn two_pass(view: DiagramView<'_>) -> Result<Vec<bool>> {
 pub fn edge_filter(view: DiagramView<'_>) -> Result<Local> {
     let one_step = one_step(view)?;
     let cells = Cells::of(view);
-    Ok(Local { crust: crust(&cells, &one_step), axis: axis(&cells, &one_step) })
+    let edge = |k: usize| if one_step[k] { Some(Edge::crust(&cells, k)) } else { Edge::axis(&cells, k) };
+    let kept = decide(&cells, one_step.len(), edge);
+    let (crust, axis) = kept.iter().zip(&one_step).map(|(&kept, &one)| (kept & one, kept & !one)).unzip();
+    Ok(Local { crust, axis })
 }
 
-/// Whether edges are crust: by walks, and by search where a walk gives up.
-fn crust(cells: &Cells<'_>, one_step: &[bool]) -> Vec<bool> {
-    decide(cells, one_step.len(), |k| if one_step[k] { Some(crust_pencil(cells, k)) } else { None })
+/// An edge that is in the one-step crust, or a dual edge that is not.
+struct Edge {
+    k: usize,
+    ends: [Point; 2],
+    /// The ends of the other one, twice the same where it has one end only.
+    across: [Point; 2],
+    is_crust: bool,
 }
 
-/// Whether dual edges are axis.
-fn axis(cells: &Cells<'_>, one_step: &[bool]) -> Vec<bool> {
-    decide(cells, one_step.len(), |k| if one_step[k] { None } else { axis_pencil(cells, k) })
-}
-
-/// The circles through the ends of an edge that are empty of sites, which are those between the circumcircles of its
-/// triangles, and of its own two Voronoi vertices.
-fn crust_pencil(cells: &Cells<'_>, k: usize) -> Pencil {
-    let [p, q] = cells.view.edges[k];
-    let mut pencil = Pencil::new(cells.sites[p as usize], cells.sites[q as usize]);
-    for t in cells.view.dual_edges[k].into_iter().filter(|&t| t != -1) {
-        pencil.cut(cells.sites[opposite(cells.view.triangles[t as usize], p, q) as usize]);
-        pencil.cut(cells.vertices[t as usize]);
+impl Edge {
+    fn crust(cells: &Cells<'_>, k: usize) -> Self {
+        let dual = cells.view.dual_edges[k];
+        let across = dual.map(|t| cells.vertices[if t == -1 { dual[0].max(dual[1]) } else { t } as usize]);
+        Self { k, ends: cells.view.edges[k].map(|site| cells.sites[site as usize]), across, is_crust: true }
     }
-    pencil
-}
 
-/// The circles through the ends of a dual edge that do not hold its own two sites; None without two different ends.
-fn axis_pencil(cells: &Cells<'_>, k: usize) -> Option<Pencil> {
-    let [right, left] = cells.view.dual_edges[k];
-    if right == -1 || left == -1 {
-        return None;
+    /// None without two different ends.
+    fn axis(cells: &Cells<'_>, k: usize) -> Option<Self> {
+        let dual = cells.view.dual_edges[k];
+        if dual.contains(&-1) {
+            return None;
+        }
+        let ends = dual.map(|t| cells.vertices[t as usize]);
+        let across = cells.view.edges[k].map(|site| cells.sites[site as usize]);
+        (ends[0] != ends[1]).then_some(Self { k, ends, across, is_crust: false })
     }
-    let [from, to] = [right, left].map(|t| cells.vertices[t as usize]);
-    let mut pencil = Pencil::new(from, to);
-    cells.view.edges[k].into_iter().for_each(|site| pencil.cut(cells.sites[site as usize]));
-    (from != to).then_some(pencil)
-}
 
-/// Whether the pencil of each row, where it has one, leaves a circle.
-fn decide(cells: &Cells<'_>, rows: usize, pencil: impl Fn(usize) -> Option<Pencil> + Sync) -> Vec<bool> {
-    let walked = parallel::map(rows, |k| match pencil(k) {
-        None => Some(false),
-        // Both cells of the edge meet every circle of either pencil: the dual edge is a chord of it, or goes through
-        // its centre.
-        Some(pencil) => leaves_some(pencil, |disc, inside| match cells.find(k, disc, inside) {
+    /// Whether the smallest of all circles through the ends is empty; None when that is too much to look at.
+    ///
+    /// Both cells of the edge meet every circle of either pencil: the dual edge is a chord of it, or goes through its
+    /// centre. No site can be in the circle of a crust edge: its angles to both opposite corners are acute.
+    #[inline]
+    fn is_plain(&self, cells: &Cells<'_>) -> Option<bool> {
+        let pencil = Pencil::new(self.ends[0], self.ends[1]);
+        let inside = |v: Point| pencil.holds(0.0, v);
+        if self.across.into_iter().any(inside) {
+            return Some(false);
+        }
+        match cells.find::<NEAR>(self.k, pencil.disc(0.0), inside) {
+            Found::Nothing => Some(true),
+            Found::Inside(_) => Some(false),
+            Found::TooMany => None,
+        }
+    }
+
+    /// The circles that are left by what is next to the edge. Of a crust edge these are the ones between the
+    /// circumcircles of its triangles, and so empty of sites.
+    fn pencil(&self, cells: &Cells<'_>) -> Pencil {
+        let mut pencil = Pencil::new(self.ends[0], self.ends[1]);
+        self.across.into_iter().for_each(|v| pencil.cut(v));
+        if self.is_crust {
+            let [p, q] = cells.view.edges[self.k];
+            for t in cells.view.dual_edges[self.k].into_iter().filter(|&t| t != -1) {
+                pencil.cut(cells.sites[opposite(cells.view.triangles[t as usize], p, q) as usize]);
+            }
+        }
+        pencil
+    }
+
+    /// Whether some circle is empty, by walks among at most so many cells; None when they are more.
+    #[cold]
+    fn walk<const MOST: usize>(&self, cells: &Cells<'_>) -> Option<bool> {
+        leaves_some(self.pencil(cells), |disc, inside| match cells.find::<MOST>(self.k, disc, inside) {
             Found::Nothing => Some(None),
             Found::Inside(v) => Some(Some(v)),
             Found::TooMany => None,
-        }),
+        })
+    }
+}
+
+/// Whether the pencil of each row, where it has an edge, leaves a circle: by the smallest, by walks, by long walks as
+/// long as these are few, and by search.
+fn decide(cells: &Cells<'_>, rows: usize, edge: impl Fn(usize) -> Option<Edge> + Sync) -> Vec<bool> {
+    let walked = parallel::map(rows, |k| {
+        let Some(edge) = edge(k) else { return Some(false) };
+        if edge.is_plain(cells)? { Some(true) } else { edge.walk::<NEAR>(cells) }
     });
-    let hard: Vec<usize> = (0..rows).filter(|&k| walked[k].is_none()).collect();
+    let mut hard: Vec<usize> = (0..rows).filter(|&k| walked[k].is_none()).collect();
     let mut decided: Vec<bool> = walked.into_iter().map(|found| found == Some(true)).collect();
+    if hard.len() * WIDE <= rows {
+        hard.retain(|&k| {
+            let found = edge(k).map_or(Some(false), |edge| edge.walk::<WIDE>(cells));
+            decided[k] = found == Some(true);
+            found.is_none()
+        });
+    }
     if !hard.is_empty() {
         let places = Places::of(cells);
         let searched = parallel::map(hard.len(), |i| {
-            let pencil = pencil(hard[i])?;
+            let pencil = edge(hard[i])?.pencil(cells);
             leaves_some(pencil, |disc, inside| Some(places.find(disc, inside)))
         });
         for (k, found) in hard.into_iter().zip(searched) {
