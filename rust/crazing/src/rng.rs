@@ -30,6 +30,12 @@ pub mod stream {
     pub const GRAIN: u64 = 40;
     /// How the plates of a texture differ.
     pub const PLATE: u64 = 41;
+    /// The smooth warp of a whole crack pattern.
+    pub const WARP: u64 = 9;
+    /// Where and in which order cells are split.
+    pub const SPLIT: u64 = 10;
+    /// Spokes and arcs about an impact.
+    pub const IMPACT: u64 = 11;
 }
 
 // Multipliers and Weyl increments (golden ratio, sqrt(3) - 1) of the paper, table 2 and section 4.3.
