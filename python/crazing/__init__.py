@@ -13,8 +13,10 @@ from crazing.graph import PlanarGraph
 from crazing.material import Material
 from crazing.maze import Maze, MazeStatistics, maze
 from crazing.measure import measure
+from crazing.preview import preview
 from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
+from crazing.shade import shade
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.statistics import CrackStatistics
 from crazing.texture import Texture, TexturePlan, texture, texture_plan
@@ -54,9 +56,11 @@ __all__ = [
     "poles",
     "preset",
     "presets",
+    "preview",
     "render",
     "sample",
     "save_png",
+    "shade",
     "show_versions",
     "steps",
     "texture",

@@ -13,6 +13,7 @@ from crazing import _core, arguments
 from crazing import rng as _rng
 from crazing.material import Material, preset_material
 from crazing.render import MAX_PIXELS
+from crazing.shade import shade
 
 #: Every map: its type and its channels.
 MAPS: dict[str, tuple[type[np.generic], int]] = {
@@ -165,6 +166,21 @@ class Texture(Mapping[str, NDArray[Any]]):
 
     def __len__(self) -> int:
         return len(self.maps)
+
+    def lit(self, **how: Any) -> NDArray[np.uint8]:
+        """Show the texture under a light.
+
+        Parameters
+        ----------
+        **how
+            As for :func:`crazing.shade`.
+
+        Returns
+        -------
+        (H, W, 3) uint8
+            sRGB.
+        """
+        return shade(self, **how)
 
     def __repr__(self) -> str:
         return f"Texture({self.size[0]} x {self.size[1]}: {', '.join(self.maps)})"
