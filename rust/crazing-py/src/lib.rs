@@ -23,17 +23,19 @@ mod _core {
     #[pymodule_export]
     use crate::crack::crack;
     #[pymodule_export]
-    use crate::diagram::{diagram, dual_edges, onext, periodic_diagram, representatives, tile};
+    use crate::diagram::{
+        constrained_diagram, depths, diagram, dual_edges, onext, periodic_diagram, representatives, tile,
+    };
     #[pymodule_export]
     use crate::graph::{graph_compact, graph_components, graph_degrees, graph_polylines};
     #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]
-    use crate::maze::{carve, distances, longest, solve};
+    use crate::maze::{carve, distances, longest, solve, voronoi_doors};
     #[pymodule_export]
     use crate::png::encode_png;
     #[pymodule_export]
-    use crate::region::{dual_edges_within, region_contains};
+    use crate::region::{region_cells, region_contains, region_doors, region_rings, region_route};
     #[pymodule_export]
     use crate::render::render;
     #[pymodule_export]
