@@ -96,9 +96,12 @@ impl Region {
             .into_iter()
             .find(|&(i, j)| a[i] == b[j])
             .map(|(i, j)| (a[i], a[1 - i], b[1 - j]))?;
-        // Of two rays from the corner across the way, whose far ends lie on one side of it.
-        let (left, turn) = (orientation(way[0], way[1], p), orientation(corner, q, p));
-        let left = if left == 0.0 { orientation(way[0], way[1], q) } else { left };
+        // Of two rays from the corner across the way: their far ends lie on the side that the corner does not.
+        let turn = orientation(corner, q, p);
+        let left = [(corner, -1.0), (p, 1.0), (q, 1.0)]
+            .into_iter()
+            .map(|(point, sign)| sign * orientation(way[0], way[1], point))
+            .find(|&left| left != 0.0)?;
         (turn != 0.0).then_some((turn > 0.0) == (left > 0.0))
     }
 }
