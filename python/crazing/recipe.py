@@ -82,7 +82,7 @@ class Recipe:
     anisotropy : float
         Plates are this many times as long, along `angle`, as they are wide.
     angle : float
-        Degrees from the x axis, counter-clockwise. Of a maze on a torus a multiple of 90.
+        Degrees from the x axis, counter-clockwise. Of a maze on a torus the nearest multiple of 90.
     tree : {"depth-first", "kruskal", "prim", "wilson"}
         The tree of the maze whose walls the cracks are, see :func:`crazing.maze`.
     opening : float
