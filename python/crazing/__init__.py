@@ -1,6 +1,6 @@
 """Voronoi curves, skeletons, mazes and crack textures, computed in Rust."""
 
-from crazing import sample
+from crazing import sample, steps
 from crazing._core import __version__
 from crazing.centerline import centerline
 from crazing.compare import Comparison, compare
@@ -60,6 +60,7 @@ __all__ = [
     "sample",
     "save_png",
     "show_versions",
+    "steps",
     "texture",
     "texture_plan",
 ]

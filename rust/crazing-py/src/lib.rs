@@ -24,7 +24,10 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::crack::{crack_pairs, crack_straighten, crack_walls, crack_walls_on_torus, crack_widths, crack_wrap};
+    use crate::crack::{
+        crack_arrivals, crack_impact, crack_pairs, crack_roughen, crack_split, crack_straighten, crack_trim,
+        crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
+    };
     #[pymodule_export]
     use crate::diagram::{
         constrained_diagram, depths, diagram, dual_edges, onext, periodic_diagram, representatives, tile,
@@ -44,7 +47,9 @@ mod _core {
     #[pymodule_export]
     use crate::render::render;
     #[pymodule_export]
-    use crate::sample::{sample_laplace, sample_normal, sample_uniform};
+    use crate::sample::{
+        sample_from_density, sample_laplace, sample_normal, sample_poisson_disk, sample_relax, sample_uniform,
+    };
     #[pymodule_export]
     use crate::skeleton::{
         axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
