@@ -56,8 +56,7 @@ def frame(points: NDArray[np.float64]) -> tuple[float, float, float, float]:
         raise CrazingError("there is nothing to be written yet; add some points")
     low, high = points.min(axis=0), points.max(axis=0)
     margin = 0.1 * (float((high - low).max()) or 1.0)
-    left, bottom, right, top = (*(low - margin).tolist(), *(high + margin).tolist())
-    return left, bottom, right, top
+    return float(low[0] - margin), float(low[1] - margin), float(high[0] + margin), float(high[1] + margin)
 
 
 def png(layers: list[Layer], points: NDArray[np.float64], size: int) -> bytes:

@@ -133,7 +133,10 @@ def _geojson(points: Points) -> bytes:
 
 def _svg(points: Points) -> bytes:
     low, high = (points.min(axis=0), points.max(axis=0)) if len(points) else (np.zeros(2), np.ones(2))
-    across = float((high - low).max()) or 1.0
+    with np.errstate(over="ignore"):
+        across = float((high - low).max()) or 1.0
+    if not np.isfinite(across * 2):
+        raise CrazingError("the points lie too far apart to be drawn as SVG; take another format")
     edge = across / 50
     box = low[0] - edge, -high[1] - edge, high[0] - low[0] + 2 * edge, high[1] - low[1] + 2 * edge
     # y points down in SVG; turning a sign loses nothing.

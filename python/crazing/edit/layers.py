@@ -17,6 +17,7 @@ from crazing.diagram import Diagram, diagram
 from crazing.errors import CrazingError, DegenerateInputError
 from crazing.graph import PlanarGraph
 from crazing.maze import Maze, maze
+from crazing.region import as_region
 from crazing.skeleton import crust, curve, medial_axis, nested, poles
 
 Points: TypeAlias = NDArray[np.float64]
@@ -140,7 +141,7 @@ def _nested(d: Diagram, values: dict[str, Any]) -> list[PlanarGraph]:
             f"{values['iterations']} iterations of {len(d.sites)} points are too many; take fewer of either"
         )
     method = values["axis_method"] if values["axis"] else "edge-filter"
-    return [skeleton.axis for skeleton in nested(d, iterations=values["iterations"], method=method)]
+    return [skeleton.axis for skeleton in nested(d.sites, iterations=values["iterations"], method=method)]
 
 
 def _compare(d: Diagram, values: dict[str, Any]) -> Drawing:
@@ -168,8 +169,9 @@ def maze_of(points: Points | Diagram, values: dict[str, Any]) -> Maze:
         raise CrazingError("the curve through the points has no closed ring for a maze to be in")
     coords = np.concatenate(rings)
     box = (*coords.min(axis=0).tolist(), *coords.max(axis=0).tolist())
-    cells = sample.uniform(values["fill"], bounds=box, rng=values["seed"])
-    return maze(cells, within=rings, **options)
+    spread = sample.uniform(values["fill"], bounds=box, rng=values["seed"])
+    # A cell whose site is outside would take the way out of the shape.
+    return maze(spread[as_region(rings).contains(spread)], within=rings, **options)
 
 
 def rings_of(graph: PlanarGraph) -> list[Points]:

@@ -46,9 +46,15 @@ def script(points: NDArray[np.float64], mode: str, values: dict[str, Any], sourc
     ...
     """
     body = _MODES[mode](values)
-    inside = values.get("cells") == "inside the curve"
-    heads = ["from itertools import pairwise\n", "import numpy as np\n"] if inside else []
-    return "\n".join([*heads, "import crazing as cz\n", *_points(points, source), *body, ""])
+    names = ["import crazing as cz"]
+    if values.get("cells") == "inside the curve":
+        names = [
+            "from itertools import pairwise\n",
+            "import numpy as np\n",
+            *names,
+            "from crazing.region import as_region",
+        ]
+    return "\n".join([*names, "", *_points(points, source), *body, ""])
 
 
 def _points(points: NDArray[np.float64], source: dict[str, Any] | None) -> list[str]:
@@ -70,7 +76,9 @@ def _skeleton(values: dict[str, Any]) -> list[str]:
     method = values["axis_method"]
     if values["nested"]:
         shown = method if values["axis"] else "edge-filter"
-        lines.append(f"nested = [s.axis for s in cz.nested(d, iterations={values['iterations']}, method={shown!r})]")
+        lines.append(
+            f"nested = [s.axis for s in cz.nested(points, iterations={values['iterations']}, method={shown!r})]"
+        )
     if values["axis"]:
         prunes = values["prune"] and method in ("edge-filter", "one-step")
         pruned = f".prune({values['residual']!r})" if prunes else ""
@@ -103,7 +111,7 @@ def _maze(values: dict[str, Any]) -> list[str]:
             "rings = [line for line in lines if len(line) > 3 and (line[0] == line[-1]).all()]",
             "low, high = (end([end(ring, axis=0) for ring in rings], axis=0).tolist() for end in (np.min, np.max))",
             f"cells = cz.sample.uniform({values['fill']}, bounds=(*low, *high), rng={values['seed']})",
-            f"maze = cz.maze(cells, within=rings, {options})",
+            f"maze = cz.maze(cells[as_region(rings).contains(cells)], within=rings, {options})",
         ]
     else:
         lines = [f"maze = cz.maze(points, cells={values['cells']!r}, {options})"]

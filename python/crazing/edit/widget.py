@@ -34,7 +34,7 @@ def _points(raw: Any, widget: Any) -> NDArray[np.float64]:
     return np.frombuffer(bytes(raw), dtype="<f8").reshape(-1, 2)
 
 
-class Editor(anywidget.AnyWidget):  # type: ignore[misc] # it has no types
+class Editor(anywidget.AnyWidget):
     """The editor as a widget. Made by :func:`crazing.edit`.
 
     Parameters

@@ -2,12 +2,15 @@
 //!
 //! Knows no Python, no files, no clock and no global random state. See `rust/ARCHITECTURE.md`.
 
+mod bits;
 pub mod clip;
 pub mod crack;
 mod crew;
+pub mod deflate;
 pub mod diagram;
 pub mod error;
 pub mod graph;
+mod huffman;
 pub mod incidence;
 pub mod maze;
 pub mod measure;
@@ -23,6 +26,7 @@ pub mod sample;
 pub mod sets;
 pub mod skeleton;
 pub mod texture;
+pub mod tiff;
 pub mod watch;
 
 pub use diagram::{Diagram, DiagramView};
