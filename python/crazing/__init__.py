@@ -5,23 +5,32 @@ from crazing._core import __version__
 from crazing.centerline import centerline
 from crazing.compare import Comparison, compare
 from crazing.crack import Crack
-from crazing.diagram import Diagram, QuadEdge, diagram
+from crazing.diagram import Diagram, diagram
+from crazing.edit import edit
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.files import save_png
 from crazing.graph import PlanarGraph
-from crazing.maze import Maze, MazeStatistics, maze
+from crazing.material import Material
+from crazing.maze import Maze, maze
+from crazing.maze_statistics import MazeStatistics
+from crazing.measure import measure
+from crazing.quad_edge import QuadEdge
 from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
+from crazing.statistics import CrackStatistics
+from crazing.texture import Texture, TexturePlan, texture, texture_plan
 from crazing.versions import algorithm_version, show_versions
 
 __all__ = [
     "Comparison",
     "Crack",
+    "CrackStatistics",
     "CrazingError",
     "DegenerateInputError",
     "Diagram",
     "InternalError",
+    "Material",
     "Maze",
     "MazeStatistics",
     "PlanarGraph",
@@ -29,6 +38,8 @@ __all__ = [
     "Recipe",
     "Skeleton",
     "Style",
+    "Texture",
+    "TexturePlan",
     "__version__",
     "algorithm_version",
     "centerline",
@@ -37,7 +48,9 @@ __all__ = [
     "crust",
     "curve",
     "diagram",
+    "edit",
     "maze",
+    "measure",
     "medial_axis",
     "nested",
     "poles",
@@ -48,4 +61,6 @@ __all__ = [
     "save_png",
     "show_versions",
     "steps",
+    "texture",
+    "texture_plan",
 ]

@@ -32,6 +32,10 @@ pub mod stream {
     pub const SPLIT: u64 = 10;
     /// Spokes and arcs about an impact.
     pub const IMPACT: u64 = 11;
+    /// Noise over the pixels of a texture.
+    pub const GRAIN: u64 = 40;
+    /// How the plates of a texture differ.
+    pub const PLATE: u64 = 41;
 }
 
 // Multipliers and Weyl increments (golden ratio, sqrt(3) - 1) of the paper, table 2 and section 4.3.

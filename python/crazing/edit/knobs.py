@@ -1,0 +1,170 @@
+"""What can be turned on the page: one table that checks what the page sends and tells it which controls to draw."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any, TypeAlias
+
+from crazing import arguments
+from crazing.maze import TREES
+from crazing.skeleton import CRUSTS
+
+#: Values of every panel: `values["maze"]["opening"]`.
+Values: TypeAlias = dict[str, dict[str, Any]]
+
+#: Methods of `medial_axis`.
+AXES = ("edge-filter", "one-step", "poles", "initial")
+
+#: Seeds are whole numbers that a page can hold exactly.
+_LARGEST_SEED = 2**53 - 1
+
+
+@dataclass(frozen=True)
+class Knob:
+    """One control: its word in the code, its words on the page, and what it may be set to.
+
+    Parameters
+    ----------
+    name, label, kind
+        The word, what the page shows, and "switch", "choice", "number", "count", "seed" or "optional" (a number or
+        None).
+    default
+        What it is when nobody has turned it.
+    low, high, step
+        Range and grain of a slider; the range is that of what is accepted.
+    choices
+        The words of a choice.
+    needs
+        The word of another knob of the panel; this one is shown when that one is on, or has the value after a colon.
+    help
+        What it does, in a few words.
+    """
+
+    name: str
+    label: str
+    kind: str
+    default: Any
+    low: float = 0.0
+    high: float = 1.0
+    step: float = 0.01
+    choices: tuple[str, ...] = ()
+    needs: str = ""
+    help: str = ""
+
+    def read(self, value: Any, panel: str) -> Any:
+        """`value` as this knob takes it; TypeError or ValueError tells what is wrong."""
+        name = f"{panel}.{self.name}"
+        if self.kind == "switch":
+            if not isinstance(value, bool):
+                raise TypeError(f"{name} is {str(value)[:40]!r}; true or false is wanted")
+            return value
+        if self.kind == "choice":
+            return arguments.choice(value, name, self.choices)
+        if self.kind == "seed":
+            return arguments.count(value, name, high=_LARGEST_SEED)
+        if self.kind == "count":
+            return arguments.count(value, name, low=int(self.low), high=int(self.high))
+        if self.kind == "optional" and value is None:
+            return None
+        return arguments.number(value, name, low=self.low, high=self.high)
+
+
+def switch(name: str, label: str, default: bool = False, **more: Any) -> Knob:
+    """A knob that is on or off."""
+    return Knob(name, label, "switch", default, **more)
+
+
+def choice(name: str, label: str, choices: tuple[str, ...], **more: Any) -> Knob:
+    """A knob with one of some words; the first is the default."""
+    return Knob(name, label, "choice", choices[0], choices=choices, **more)
+
+
+def number(name: str, label: str, default: float, low: float, high: float, step: float = 0.01, **more: Any) -> Knob:
+    """A knob with a slider."""
+    return Knob(name, label, "number", default, low, high, step, **more)
+
+
+def count(name: str, label: str, default: int, low: int, high: int, **more: Any) -> Knob:
+    """A knob with a whole number."""
+    return Knob(name, label, "count", default, low, high, 1, **more)
+
+
+SEED = Knob("seed", "Seed", "seed", 7)
+
+SKELETON = (
+    switch("delaunay", "Delaunay"),
+    switch("voronoi", "Voronoi"),
+    switch("crust", "Crust", True),
+    choice("crust_method", "Method", CRUSTS, needs="crust"),
+    switch("axis", "Medial axis", True),
+    choice("axis_method", "Method", AXES, needs="axis"),
+    switch("prune", "Prune hairs", needs="axis", help="For edge-filter and one-step"),
+    number("residual", "Residual", 0.025, 0.0, 0.25, 0.005, needs="prune"),
+    switch("curve", "Curve through all samples"),
+    switch("poles", "Poles"),
+    switch("nested", "Nested curves"),
+    count("iterations", "Iterations", 3, 1, 5, needs="nested"),
+)
+
+COMPARE = (
+    choice("first", "First", ("one-step", "edge-filter", "poles", "initial")),
+    choice("second", "Second", AXES),
+)
+
+MAZE = (
+    choice("cells", "Cells", ("voronoi", "delaunay", "inside the curve")),
+    count("fill", "Number of cells", 400, 3, 20_000, needs="cells:inside the curve"),
+    choice("tree", "Tree", TREES),
+    number("opening", "Opened doors", 1.0, 0.0, 1.0, help="1: one way between any two cells"),
+    switch("solution", "Solution", True),
+    SEED,
+)
+
+CRACK = (
+    number("opening", "Opening", 0.75, 0.0, 1.0, help="0 closes every plate, 1 none"),
+    number("hierarchy", "Hierarchy", 0.5, 0.0, 2.0, help="How much wider long cracks are"),
+    number("taper", "Taper", 0.5, 0.0, 1.0, help="The part over which a tip runs out"),
+    SEED,
+)
+
+PANELS: dict[str, tuple[Knob, ...]] = {"skeleton": SKELETON, "compare": COMPARE, "maze": MAZE, "crack": CRACK}
+
+
+def defaults() -> Values:
+    """Every knob as nobody has turned it."""
+    return {panel: {knob.name: knob.default for knob in knobs} for panel, knobs in PANELS.items()}
+
+
+def read(raw: Any) -> Values:
+    """What a page sent, checked; what it left out is at its default.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a panel or knob is unknown, or a value is not what it takes.
+    """
+    values = defaults()
+    for panel, given in _mapping(raw, "settings").items():
+        arguments.choice(panel, "settings", PANELS)
+        knobs = {knob.name: knob for knob in PANELS[panel]}
+        for name, value in _mapping(given, panel).items():
+            arguments.choice(name, panel, knobs)
+            values[panel][name] = knobs[name].read(value, panel)
+    return values
+
+
+def _mapping(value: Any, name: str) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping):
+        raise TypeError(f"{name} is {type(value).__name__}; an object is wanted")
+    return value
+
+
+def listed(knobs: tuple[Knob, ...]) -> list[dict[str, Any]]:
+    """Knobs as the page reads them."""
+    return [asdict(knob) for knob in knobs]
+
+
+def described() -> dict[str, list[dict[str, Any]]]:
+    """The table as the page reads it."""
+    return {panel: listed(knobs) for panel, knobs in PANELS.items()}

@@ -1,0 +1,77 @@
+"""What can be taken away from the page, by its word."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from crazing import arguments
+from crazing.crack import Crack
+from crazing.edit import drawing
+from crazing.edit.layers import Drawing, draw
+from crazing.errors import CrazingError
+from crazing.render import render
+
+Points: TypeAlias = NDArray[np.float64]
+
+
+def made(what: Any, points: Points, mode: str, values: dict[str, Any], size: int) -> tuple[str, bytes]:
+    """A file of what the page shows.
+
+    Parameters
+    ----------
+    what : {"png", "svg", "dxf", "geojson", ...}
+        One of the words of :func:`described`.
+    points, mode, values
+        What is on the page.
+    size : int
+        The longer side of a picture, in pixels.
+
+    Returns
+    -------
+    name : str
+        For the file.
+    content : bytes
+
+    Raises
+    ------
+    CrazingError
+        If there is nothing to be written.
+    """
+    word = arguments.choice(what, "what", _MAKERS)
+    found = draw(points, mode, values)
+    if not found.layers:
+        raise CrazingError(found.note or "there is nothing to be written yet; add some points")
+    return f"{mode}.{_ENDINGS.get(word, word)}", _MAKERS[word](found, points, values, size)
+
+
+def described() -> list[dict[str, Any]]:
+    """The words, with what the page calls them and the modes that have them."""
+    return [{"what": word, "label": label, "modes": list(modes)} for word, (label, modes) in _LABELS.items()]
+
+
+def _png(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
+    if isinstance(found.subject, Crack):
+        return drawing.png_of(render(found.subject, drawing.shape(found.subject.bounds, size)))
+    return drawing.png(drawing.shown(found), points, size)
+
+
+def _svg(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
+    return drawing.svg(drawing.shown(found), points)
+
+
+def _dxf(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
+    return drawing.dxf(drawing.shown(found), points)
+
+
+_MAKERS: dict[str, Callable[[Drawing, Points, dict[str, Any], int], bytes]] = {"png": _png, "svg": _svg, "dxf": _dxf}
+_ENDINGS: dict[str, str] = {}
+_ALL = ("skeleton", "compare", "maze", "crack")
+_LABELS: dict[str, tuple[str, tuple[str, ...]]] = {
+    "png": ("PNG picture", _ALL),
+    "svg": ("SVG drawing", _ALL),
+    "dxf": ("DXF drawing", _ALL),
+}
