@@ -16,7 +16,7 @@ from crazing.maze import Maze
 from crazing.record import Record
 from crazing.rng import RNG, key
 
-__all__ = ["Drawing", "impact", "roughen", "split", "straighten", "walls", "warp", "widen"]
+__all__ = ["Drawing", "follow", "impact", "roughen", "split", "straighten", "walls", "warp", "widen"]
 
 Bounds: TypeAlias = tuple[float, float, float, float]
 #: Vertices, edges, shifts, period, cut.
@@ -73,7 +73,7 @@ class Drawing(Record):
 
 
 def _paired(net: Net, fence: Fence, bounds: Bounds) -> Drawing:
-    return Drawing(*net, bounds, fence, _core.crack_pairs(net), np.empty(0, dtype=np.int32))
+    return Drawing(*net, bounds, fence, _core.crack_pairs(net, np.pi), np.empty(0, dtype=np.int32))
 
 
 def walls(maze: Maze) -> Drawing:
@@ -271,6 +271,37 @@ def _box(bounds: Sequence[float], period: Sequence[float] | None) -> Bounds:
     if period is None:
         return arguments.bounds_tuple(bounds)
     return 0.0, 0.0, *arguments.period_pair(period)
+
+
+def follow(drawing: Drawing, *, turn: float = 60.0) -> Drawing:
+    """Follow the cracks anew: at a junction a crack goes on only where it turns by no more than an angle.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    turn : float
+        Degrees, 0 to 180.
+
+    Returns
+    -------
+    Drawing
+        The same edges; cracks have no age but their length.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the angle is out of range.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> plain = cz.steps.walls(cz.maze(cz.sample.uniform(50, rng=2), rng=2))
+    >>> bool((cz.steps.follow(plain, turn=20).partner == -1).sum() > (plain.partner == -1).sum())
+    True
+    """
+    sharpest = float(np.radians(arguments.number(turn, "turn", low=0, high=180)))
+    partner = _core.crack_pairs(drawing.net, sharpest)
+    return replace(drawing, partner=partner, age=np.empty(0, dtype=np.int32))
 
 
 def straighten(
