@@ -17,6 +17,7 @@ from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.statistics import CrackStatistics
+from crazing.streaming import write_texture
 from crazing.texture import Texture, TexturePlan, texture, texture_plan
 from crazing.versions import algorithm_version, show_versions
 
@@ -60,4 +61,5 @@ __all__ = [
     "show_versions",
     "texture",
     "texture_plan",
+    "write_texture",
 ]
