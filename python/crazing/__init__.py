@@ -15,6 +15,7 @@ from crazing.maze import Maze, MazeStatistics, maze
 from crazing.measure import measure
 from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
+from crazing.rerun import rerun
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.statistics import CrackStatistics
 from crazing.streaming import write_texture
@@ -56,6 +57,7 @@ __all__ = [
     "preset",
     "presets",
     "render",
+    "rerun",
     "sample",
     "save_png",
     "show_versions",

@@ -31,6 +31,7 @@ def of_recipe(
     preset: str | None = None,
     bounds: tuple[float, ...] | None = None,
     period: tuple[float, ...] | None = None,
+    width: float | None = None,
     age: float | None = None,
 ) -> dict[str, Any]:
     """The origin of a crack that a recipe makes."""
@@ -40,6 +41,7 @@ def of_recipe(
         "seed": seed,
         "bounds": None if bounds is None else list(bounds),
         "period": None if period is None else list(period),
+        "width": width,
         "age": age,
     }
 
@@ -79,7 +81,8 @@ def crack_of(origin: Mapping[str, Any]) -> Crack:
         if "recipe" in origin:
             recipe = Recipe(**origin["recipe"])
             # One of the two is None.
-            crack = recipe.crack(bounds=origin["bounds"], period=origin["period"], rng=int(origin["seed"]))
+            frame = {name: origin[name] for name in ("bounds", "period", "width")}
+            crack = recipe.crack(**frame, rng=int(origin["seed"]))
             return crack if origin["age"] is None else crack.at(origin["age"])  # type: ignore[attr-defined]
         if "pattern" in origin:
             return _unpacked(origin)

@@ -79,7 +79,7 @@ def _given(record: Mapping[str, Any], source: str | os.PathLike[str]) -> dict[st
     try:
         texture, origin = record["texture"], record["source"]
         picture, form = record["picture"], record["format"]
-        if picture not in PICTURES or (form != "auto" and form not in FORMATS) or not isinstance(origin, dict):
+        if picture not in PICTURES or form not in FORMATS or not isinstance(origin, dict):
             raise ValueError(f"it names the picture {picture!r} in the format {form!r}")
         return {
             "size": tuple(texture["size"]),
@@ -88,7 +88,7 @@ def _given(record: Mapping[str, Any], source: str | os.PathLike[str]) -> dict[st
             "bounds": texture["bounds"],
             "seed": texture["seed"],
             "metres": texture["metres"],
-            "format": None if form == "auto" else form,
+            "format": form,
             "origin": origin,
         }
     except (KeyError, TypeError, ValueError, AttributeError) as error:

@@ -15,6 +15,8 @@ COMMANDS = (
     "compare",
     "edit",
     "maze",
+    "presets",
+    "rerun",
     "texture",
 )
 

@@ -63,10 +63,15 @@ def is_file(path: str | os.PathLike[str]) -> bool:
     return Path(path).suffix.lower() in ENDINGS
 
 
+def format_of(path: str | os.PathLike[str], format: str | None) -> str:
+    """The name of the format of a path: the one that is asked for, or what the ending says; folders get PNG."""
+    return format or ENDINGS.get(Path(path).suffix.lower(), "png")
+
+
 def form_of(path: str | os.PathLike[str], format: str | None) -> Format:
     """The format of a path; the one that is asked for must have its ending."""
     ending = Path(path).suffix.lower()
-    form = FORMATS[format or ENDINGS.get(ending, "png")]
+    form = FORMATS[format_of(path, format)]
     if ending in ENDINGS and FORMATS[ENDINGS[ending]].kind != form.kind:
         raise ValueError(f"{os.fspath(path)} does not end in {form.ending}, as files of the format {format!r} do")
     return form
@@ -99,14 +104,16 @@ def write(
     progress: Progress | None = None,
 ) -> tuple[Path, ...]:
     """Make the files at `path`; their paths, scenes last."""
-    target, form = Path(path), form_of(path, wanted.format)
+    target, form, word = Path(path), form_of(path, wanted.format), format_of(path, wanted.format)
     _check(target)
     if form.kind in _LIBRARIES:
         require(_LIBRARIES[form.kind], "texture")
     pictures = pictures_of(path, wanted)
     reach = REACH * shown.size[0] / shown.scale
     made = tuple(
-        Picture(picture, _file(target, picture, form, wanted, shown), form, _record(picture, wanted, shown, reach))
+        Picture(
+            picture, _file(target, picture, form, wanted, shown), form, _record(picture, word, wanted, shown, reach)
+        )
         for picture in pictures
     )
     density = shown.scale / wanted.metres
@@ -134,11 +141,11 @@ def _file(target: Path, picture: str, form: Format, wanted: Wanted, shown: Shown
     return target / layout.file(wanted.name, picture, max(shown.size), form.word, form.ending)
 
 
-def _record(picture: str, wanted: Wanted, shown: Shown, reach: float) -> dict[str, Any]:
+def _record(picture: str, form: str, wanted: Wanted, shown: Shown, reach: float) -> dict[str, Any]:
     texture = {**shown.record["texture"], "metres": wanted.metres, "texel_size": wanted.metres / shown.scale}
     if picture == "distance":
         texture["reach"] = reach
-    return {**shown.record, "texture": texture, "picture": picture, "format": wanted.format or "auto"}
+    return {**shown.record, "texture": texture, "picture": picture, "format": form}
 
 
 def _scenes(folder: Path, made: tuple[Picture, ...], wanted: Wanted, shown: Shown, density: float) -> tuple[Path, ...]:
@@ -148,7 +155,7 @@ def _scenes(folder: Path, made: tuple[Picture, ...], wanted: Wanted, shown: Show
     if "color" not in files or kind == "zarr":
         return ()
     height, width = shown.size
-    record = _record("scene", wanted, shown, 0.0)
+    record = _record("scene", made[0].record["format"], wanted, shown, 0.0)
     sides, relief = (width / density, height / density), shown.relief * wanted.metres
     about = scene.Scene(wanted.name, files, sides, relief, shown.tiles, record)
     texts = {folder / f"{wanted.name}.mtlx": scene.materialx(about)}
