@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
+from functools import cache
 from typing import Any, TypeAlias
 
 from crazing import arguments
 from crazing.maze import TREES
+from crazing.recipe import SAMPLERS, Recipe, preset, presets
 from crazing.skeleton import CRUSTS
 
 #: Values of every panel: `values["maze"]["opening"]`.
@@ -39,6 +41,8 @@ class Knob:
         The word of another knob of the panel; this one is shown when that one is on, or has the value after a colon.
     help
         What it does, in a few words.
+    group
+        Title of the fold it lies in; none for what is always there.
     """
 
     name: str
@@ -51,6 +55,7 @@ class Knob:
     choices: tuple[str, ...] = ()
     needs: str = ""
     help: str = ""
+    group: str = ""
 
     def read(self, value: Any, panel: str) -> Any:
         """`value` as this knob takes it; TypeError or ValueError tells what is wrong."""
@@ -113,20 +118,80 @@ COMPARE = (
 )
 
 MAZE = (
-    choice("cells", "Cells", ("voronoi", "delaunay", "inside the curve")),
-    count("fill", "Number of cells", 400, 3, 20_000, needs="cells:inside the curve"),
+    choice("cells", "Cells", ("voronoi", "delaunay", "in the curve")),
+    count("fill", "Number of cells", 400, 3, 20_000, needs="cells:in the curve"),
     choice("tree", "Tree", TREES),
     number("opening", "Opened doors", 1.0, 0.0, 1.0, help="1: one way between any two cells"),
     switch("solution", "Solution", True),
     SEED,
 )
 
-CRACK = (
-    number("opening", "Opening", 0.75, 0.0, 1.0, help="0 closes every plate, 1 none"),
-    number("hierarchy", "Hierarchy", 0.5, 0.0, 2.0, help="How much wider long cracks are"),
-    number("taper", "Taper", 0.5, 0.0, 1.0, help="The part over which a tip runs out"),
-    SEED,
-)
+OWN_PLATES = "of the recipe"
+
+# What is known about the fields of a recipe: label, and for numbers low, high and step of the slider; what it does.
+_FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
+    "n": ("Plates", (3, 20_000, 1), ""),
+    "sampler": ("Spread", (0, 0, 0), ""),
+    "relax": ("Relaxation", (0, 10, 1), "Rounds that make plates alike"),
+    "tree": ("Tree", (0, 0, 0), ""),
+    "opening": ("Opening", (0, 1, 0.01), "0 closes every plate, 1 none"),
+    "rounds": ("Straightening", (0, 20, 1), "Rounds"),
+    "pull": ("Pull", (0, 1, 0.01), "Of a round, towards the chord"),
+    "slide": ("Slide", (0, 1, 0.01), "Of a round, towards T junctions"),
+    "clamp": ("Clamp", (0, 0.5, 0.01), "What sliding keeps out of"),
+    "thickness": ("Thickness", (0, 0.5, 0.005), "In spacings of plates"),
+    "hierarchy": ("Hierarchy", (0, 2, 0.01), "How much wider long cracks are"),
+    "taper": ("Taper", (0, 1, 0.01), "The part over which a tip runs out"),
+}
+_WORDS = {"sampler": SAMPLERS, "tree": TREES}
+_FIRST = ("opening", "rounds", "thickness", "hierarchy", "taper")
+_OWN = ("n", "sampler", "relax")
+
+
+def recipe_fields() -> list[str]:
+    """Fields of a recipe that a knob can turn: numbers, switches and known words."""
+    kinds = {field.name: type(field.default) for field in fields(Recipe)}
+    return [name for name, kind in kinds.items() if kind in (int, float, bool) or name in _WORDS]
+
+
+def _recipe_knob(name: str) -> Knob:
+    """The knob of one field; a field that nothing is known about gets a range around its values."""
+    values = [getattr(recipe, name) for recipe in recipes().values()]
+    default = values[0]
+    label, (low, high, step), help = _FIELDS.get(name, (name.replace("_", " ").capitalize(), (0, 0, 0), ""))
+    needs, group = ("plates:" + OWN_PLATES if name in _OWN else ""), ("" if name in (*_FIRST, *_OWN) else "More steps")
+    more = {"needs": needs, "group": group, "help": help}
+    if name in _WORDS:
+        return choice(name, label, _WORDS[name], **more)
+    if isinstance(default, bool):
+        return switch(name, label, default, **more)
+    low, high = min(low, *values), max(high or max(1, 2 * default), *values)
+    if isinstance(default, int):
+        return count(name, label, default, int(low), int(high), **more)
+    return number(name, label, default, low, high, step or 0.01, **more)
+
+
+@cache
+def recipes() -> dict[str, Recipe]:
+    """The recipes to start from: the thesis' own, and the presets."""
+    return {"thesis": Recipe(), **{name: preset(name) for name in presets()}}
+
+
+def _crack_knobs() -> tuple[Knob, ...]:
+    names = tuple(recipes())
+    steps = {name: _recipe_knob(name) for name in recipe_fields()}
+    ordered = [*(steps[name] for name in (*_OWN, *_FIRST)), *(knob for knob in steps.values() if knob.group)]
+    return (
+        choice("recipe", "Recipe", names),
+        choice("plates", "Plates", ("of the points", OWN_PLATES)),
+        switch("tile", "Tiles seamlessly", needs=f"plates:{OWN_PLATES}"),
+        *ordered,
+        SEED,
+        choice("material", "Material", ("of the recipe", *names[1:], "ink")),
+    )
+
+
+CRACK = _crack_knobs()
 
 PANELS: dict[str, tuple[Knob, ...]] = {"skeleton": SKELETON, "compare": COMPARE, "maze": MAZE, "crack": CRACK}
 

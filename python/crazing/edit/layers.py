@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from crazing import sample
 from crazing.compare import compare
-from crazing.crack import Crack, crack
+from crazing.crack import Crack
 from crazing.diagram import Diagram, diagram
+from crazing.edit.cracks import crack_of, has_own_plates
 from crazing.errors import CrazingError, DegenerateInputError
 from crazing.graph import PlanarGraph
 from crazing.maze import Maze, maze
@@ -77,6 +78,8 @@ def draw(points: Points, mode: str, values: dict[str, Any]) -> Drawing:
     Drawing
         Too few points, or points on one line, are no error: its note says what is wanted.
     """
+    if mode == "crack" and has_own_plates(values):
+        return _crack(points, values)
     if len(points) < 3:
         missing = 3 - len(points)
         return Drawing(note=f"Add {missing} more point{'s' * (missing > 1)}." if len(points) else "")
@@ -162,7 +165,7 @@ def _compare(d: Diagram, values: dict[str, Any]) -> Drawing:
 def maze_of(points: Points | Diagram, values: dict[str, Any]) -> Maze:
     """The maze as the knobs have it."""
     options = {"tree": values["tree"], "opening": values["opening"], "rng": values["seed"]}
-    if values["cells"] != "inside the curve":
+    if values["cells"] != "in the curve":
         return maze(points, cells=values["cells"], **options)
     rings = rings_of(curve(points))
     if not rings:
@@ -193,13 +196,7 @@ def _maze(d: Diagram, values: dict[str, Any]) -> Drawing:
     return Drawing(layers, rows=[*rows, ("winding", counts.winding)], subject=found.walls)
 
 
-def crack_of(points: Points | Diagram, values: dict[str, Any]) -> Crack:
-    """The crack as the knobs have it."""
-    knobs = {name: value for name, value in values.items() if name != "seed"}
-    return crack(points, rng=values["seed"], **knobs)
-
-
-def _crack(d: Diagram, values: dict[str, Any]) -> Drawing:
+def _crack(d: Points | Diagram, values: dict[str, Any]) -> Drawing:
     found = crack_of(d, values)
     graph = found.graph
     rows: list[Row] = [
@@ -210,7 +207,15 @@ def _crack(d: Diagram, values: dict[str, Any]) -> Drawing:
         ("free ends", graph.leaves),
         ("length", graph.length),
     ]
-    return Drawing([Layer("crack", graph)], rows=rows, subject=found)
+    return Drawing([Layer("crack", PlanarGraph(*_unwrapped(found)))], rows=rows, subject=found)
+
+
+def _unwrapped(found: Crack) -> tuple[Points, NDArray[np.int32]]:
+    """Vertices and edges of the segments; those of a period may reach beyond it."""
+    if found.period is None:
+        return found.graph.vertices, found.graph.edges
+    ends = found.segments.reshape(-1, 2)
+    return ends, np.arange(len(ends), dtype=np.int32).reshape(-1, 2)
 
 
 _MODES: dict[str, Callable[[Diagram, dict[str, Any]], Drawing]] = {

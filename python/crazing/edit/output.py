@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 
 from crazing import arguments
 from crazing.crack import Crack
-from crazing.edit import drawing
+from crazing.edit import cracks, drawing
 from crazing.edit.layers import Drawing, draw
 from crazing.errors import CrazingError
 from crazing.render import render
+from crazing.texture import texture
 
 Points: TypeAlias = NDArray[np.float64]
 
@@ -55,23 +56,39 @@ def described() -> list[dict[str, Any]]:
 
 def _png(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
     if isinstance(found.subject, Crack):
-        return drawing.png_of(render(found.subject, drawing.shape(found.subject.bounds, size)))
-    return drawing.png(drawing.shown(found), points, size)
+        shape = drawing.shape(found.subject.bounds, size)
+        if values["material"] == cracks.INK:
+            return drawing.png_of(render(found.subject, shape))
+        material = cracks.material_of(values)
+        return drawing.png_of(
+            texture(found.subject, shape, maps="color", material=material, seed=values["seed"])["color"]
+        )
+    return drawing.png(drawing.shown(found, points), drawing.frame(found, points), size)
 
 
 def _svg(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
-    return drawing.svg(drawing.shown(found), points)
+    return drawing.svg(drawing.shown(found, points), drawing.frame(found, points))
 
 
 def _dxf(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
-    return drawing.dxf(drawing.shown(found), points)
+    return drawing.dxf(drawing.shown(found, points), drawing.frame(found, points))
 
 
-_MAKERS: dict[str, Callable[[Drawing, Points, dict[str, Any], int], bytes]] = {"png": _png, "svg": _svg, "dxf": _dxf}
-_ENDINGS: dict[str, str] = {}
+def _recipe(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
+    return cracks.recipe_of(values).to_toml().encode()
+
+
+_MAKERS: dict[str, Callable[[Drawing, Points, dict[str, Any], int], bytes]] = {
+    "png": _png,
+    "svg": _svg,
+    "dxf": _dxf,
+    "recipe": _recipe,
+}
+_ENDINGS = {"recipe": "toml"}
 _ALL = ("skeleton", "compare", "maze", "crack")
 _LABELS: dict[str, tuple[str, tuple[str, ...]]] = {
     "png": ("PNG picture", _ALL),
     "svg": ("SVG drawing", _ALL),
     "dxf": ("DXF drawing", _ALL),
+    "recipe": ("Recipe (TOML)", ("crack",)),
 }

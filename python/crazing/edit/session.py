@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from crazing import _core, arguments
 from crazing.crack import Crack
-from crazing.edit import drawing, exchange, knobs, output, picture, samples
+from crazing.edit import cracks, drawing, exchange, knobs, output, picture, samples
 from crazing.edit.layers import MODES, Drawing, draw
 from crazing.edit.script import script
 from crazing.errors import CrazingError
@@ -105,6 +105,7 @@ class Session:
             "mode": self.mode,
             "values": self.values,
             "knobs": knobs.described(),
+            "recipes": {name: {f: getattr(r, f) for f in knobs.recipe_fields()} for name, r in knobs.recipes().items()},
             "samples": knobs.listed(samples.KNOBS),
             "contour": knobs.listed(picture.KNOBS),
             "outlines": list(samples.OUTLINES),
@@ -122,7 +123,7 @@ class Session:
         reply, parts = _packed(found, points)
         if isinstance(found.subject, Crack) and content.get("preview"):
             size = arguments.count(content["preview"], "preview", low=16, high=LARGEST_PREVIEW)
-            reply["preview"], pixels = _preview(found.subject, size)
+            reply["preview"], pixels = _preview(found.subject, size, values)
             parts.append(pixels)
         reply["milliseconds"] = round(1e3 * (time.perf_counter() - start), 2)
         return Message({"kind": "layers", "mode": mode, **reply}, parts)
@@ -220,8 +221,10 @@ def _packed(found: Drawing, points: Points) -> tuple[dict[str, Any], list[bytes]
     return described, parts
 
 
-def _preview(crack: Crack, size: int) -> tuple[dict[str, Any], bytes]:
-    """The crack as pixels, the longer side `size`."""
+def _preview(crack: Crack, size: int, values: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
+    """The crack as pixels, the longer side `size`: RGBA, or what the page puts light on."""
     height, width = drawing.shape(crack.bounds, size)
-    pixels = render(crack, (height, width), style=Style())
-    return {"bounds": list(crack.bounds), "height": height, "width": width}, pixels.tobytes()
+    shown = {"bounds": list(crack.bounds), "height": height, "width": width}
+    if values["material"] == cracks.INK:
+        return {**shown, "kind": "ink"}, render(crack, (height, width), style=Style()).tobytes()
+    return {**shown, "kind": "maps"}, cracks.lit_maps(crack, (height, width), values).tobytes()

@@ -5,11 +5,14 @@ import { View } from "./view.js";
 import { Cloud } from "./cloud.js";
 import { Live, Wire, numbers } from "./wire.js";
 import { Scene } from "./scene.js";
+import { lit } from "./light.js";
 import { TOOLS, Tools } from "./tools.js";
+import { controls } from "./controls.js";
 import { keepFile, modeSection, outSection, pictureSection, pointsSection } from "./panels.js";
 
-/** Pixels of the longer side of a crack's preview: while it moves, and when it rests. */
-const PREVIEW = { moving: 448, resting: 1200 };
+/** Pixels of the longer side of a crack's preview when it rests; while it moves as many as can be made in time. */
+const RESTING = 1000;
+const MOVING = { least: 128, most: 640, milliseconds: 75 };
 
 const KEYS = [
   ["Click", "add a point"], ["Drag a point", "move it"], ["Shift + click, Shift + drag", "select"], ["Delete", "delete what is selected"],
@@ -29,6 +32,8 @@ class Editor {
     this.scene = new Scene(this.canvas, this.view, this.cloud, root);
     this.wire = state.wire;
     this.resting = true;
+    this.moving = 256;
+    this.lamp = { side: 135, high: 40 };
     this.layers = new Live(() => this.#askLayers(), (answer) => this.#showLayers(answer), (error) => this.#tell(error.message));
     this.contour = new Live(() => this.wire.ask({ kind: "contour", ...this.picture.values }), (answer) => this.#traced(answer), (error) => this.picture.complain(error.message));
     this.#build();
@@ -120,7 +125,13 @@ class Editor {
         this.scene.invalidate();
       } });
       this.scene.showLines = false;
-      return h("div", { class: "crz-row crz-switch" }, lines, h("label", { htmlFor: lines.id }, h("span", { class: "crz-swatch", "data-layer": "crack", "aria-hidden": "true" }), "Centrelines"));
+      const knobs = [
+        { name: "side", label: "Light from", kind: "number", low: 0, high: 360, step: 1, needs: "", help: "Degrees, 90 is above", group: "Light" },
+        { name: "high", label: "Height of the light", kind: "number", low: 8, high: 90, step: 1, needs: "", help: "", group: "Light" },
+      ];
+      const lamp = controls(knobs, this.lamp, () => this.#light());
+      lamp.element.querySelector("details").open = true;
+      return [lamp.element, h("div", { class: "crz-row crz-switch" }, lines, h("label", { htmlFor: lines.id }, h("span", { class: "crz-swatch", "data-layer": "crack", "aria-hidden": "true" }), "Centrelines"))];
     }
     return null;
   }
@@ -337,7 +348,6 @@ class Editor {
 
   trace() {
     this.picture.complain("");
-    this.resting = false;
     this.contour.poke();
   }
 
@@ -383,28 +393,43 @@ class Editor {
 
   #askLayers() {
     this.asked = performance.now();
-    const preview = this.mode === "crack" ? (this.resting ? PREVIEW.resting : PREVIEW.moving) : 0;
+    this.askedAtRest = this.resting;
+    const preview = this.mode === "crack" ? (this.resting ? RESTING : this.moving) : 0;
     return this.wire.ask({ kind: "layers", preview, ...this.#state() }, [this.bytes()]);
   }
 
   async #showLayers(answer) {
     this.scene.mode = answer.mode;
     this.scene.take(answer, numbers);
-    if (answer.preview) {
-      const { width, height, bounds } = answer.preview;
-      const pixels = new ImageData(numbers(answer.buffers.at(-1), Uint8ClampedArray), width, height);
-      this.scene.preview = { image: await createImageBitmap(pixels), bounds };
-    } else {
-      this.scene.preview = null;
-    }
+    this.maps = answer.preview ? { ...answer.preview, pixels: numbers(answer.buffers.at(-1), Uint8ClampedArray) } : null;
+    await this.#light();
     this.#tell(answer.note);
     this.modes.count(answer.mode, answer.head, answer.rows);
     this.#sides();
     this.scene.invalidate();
     const took = performance.now() - this.asked;
-    this.took.textContent = this.cloud.size ? `${Math.round(took)} ms` : "";
-    this.root.dataset.milliseconds = String(took);
+    if (this.maps && Math.max(this.maps.width, this.maps.height) === this.moving) {
+      // Time goes with pixels; half the step at once, so that one slow answer does not make the picture jump.
+      const wanted = this.moving * Math.sqrt(MOVING.milliseconds / Math.max(took, 10));
+      this.moving = Math.round(Math.min(MOVING.most, Math.max(MOVING.least, (this.moving + wanted) / 2)));
+    }
+    // The large picture of rest is no part of what is live.
+    if (!this.askedAtRest) this.took.textContent = this.cloud.size ? `${Math.round(took)} ms` : "";
+    if (!this.askedAtRest) this.root.dataset.milliseconds = String(took);
     this.root.dataset.answers = String(Number(this.root.dataset.answers ?? 0) + 1);
+  }
+
+  /** The preview as it lies under the lamp. */
+  async #light() {
+    const { maps } = this;
+    if (!maps) {
+      this.scene.preview = null;
+      return;
+    }
+    const { pixels, width, height, bounds } = maps;
+    const picture = maps.kind === "ink" ? new ImageData(pixels, width, height) : lit(pixels, width, height, this.lamp.side, this.lamp.high);
+    this.scene.preview = { image: await createImageBitmap(picture), bounds };
+    this.scene.invalidate();
   }
 
   #pointsFromPython() {
@@ -441,24 +466,24 @@ class Editor {
     const { cloud } = this;
     const chosen = cloud.selected.size ? ` · ${cloud.selected.size} selected` : "";
     this.howMany.textContent = `${cloud.size.toLocaleString("en")} point${cloud.size === 1 ? "" : "s"}${chosen}`;
-    this.empty.hidden = cloud.size > 0 || !this.picture.element.hidden;
+    this.empty.hidden = cloud.size > 0 || !this.picture.element.hidden || (this.mode === "crack" && this.state.values.crack.plates !== "of the points");
     this.undoButton.disabled = !cloud.past.length;
     this.redoButton.disabled = !cloud.future.length;
     if (what === "selection") return;
-    this.resting = what !== "points";
+    this.resting = false;
     this.layers.poke();
     if (what !== "points") this.#keepTraits();
-    if (what === "values") this.#restLater();
+    this.#restLater();
   }
 
-  /** A slider tells every step; only the last deserves the large picture. */
+  /** What moves is drawn small; when nothing has moved for a while it deserves the large picture. */
   #restLater() {
-    this.resting = false;
     clearTimeout(this.rest);
+    if (this.mode !== "crack") return;
     this.rest = setTimeout(() => {
       this.resting = true;
-      if (this.mode === "crack") this.layers.poke();
-    }, 180);
+      this.layers.poke();
+    }, 220);
   }
 
   pointed(place) {

@@ -46,9 +46,9 @@ export function pointsSection(editor, state) {
     h("div", { class: "crz-buttons" }, h("button", { type: "button", class: "crz-primary", "data-action": "generate", onclick: make }, icon("dice"), "Generate")),
     h("hr"),
     h("div", { class: "crz-buttons" },
-      h("button", { type: "button", "data-action": "open", onclick: () => picker.click() }, icon("open"), "Open file or picture"), picker),
-    h("div", { class: "crz-buttons" }, kind, h("button", { type: "button", "data-action": "save", onclick: save }, "Save points"),
+      h("button", { type: "button", "data-action": "open", onclick: () => picker.click() }, icon("open"), "Open file or picture"), picker,
       h("button", { type: "button", class: "crz-quiet", "data-action": "clear", onclick: () => editor.clear() }, icon("trash"), "Clear")),
+    h("div", { class: "crz-buttons" }, h("button", { type: "button", "data-action": "save", onclick: save }, "Save points as"), kind),
     place);
   return { element, open: () => picker.click(), complain: (message) => (place.textContent = message) };
 }
@@ -80,7 +80,14 @@ export function modeSection(editor, state) {
   for (const [mode, list] of Object.entries(state.knobs)) {
     const [tabName, panelName] = [unique("tab"), unique("panel")];
     tabs[mode] = h("button", { type: "button", role: "tab", id: tabName, "aria-controls": panelName, "data-mode": mode, onclick: () => editor.setMode(mode) }, TITLES[mode]);
-    knobs[mode] = controls(list, state.values[mode], () => editor.changed("values"));
+    knobs[mode] = controls(list, state.values[mode], (name) => {
+      if (name === "recipe") {
+        // The knobs of the steps jump to where the recipe has them.
+        Object.assign(state.values.crack, state.recipes[state.values.crack.recipe]);
+        knobs.crack.set();
+      }
+      editor.changed("values");
+    });
     tables[mode] = h("table", { class: "crz-counts" }, h("caption", { class: "crz-hidden" }, `Counts of the ${TITLES[mode].toLowerCase()}`));
     panels[mode] = h("div", { role: "tabpanel", id: panelName, "aria-labelledby": tabName, class: "crz-inside" }, knobs[mode].element, editor.extras(mode), tables[mode]);
   }
