@@ -12,32 +12,52 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from crazing import files, sample, steps
+from crazing import files, steps
 from crazing import rng as _rng
 from crazing.arguments import bounds_tuple, choice, count, number, period_pair
 from crazing.crack import Crack
-from crazing.diagram import Diagram, as_tiling
-from crazing.maze import TREES, maze
+from crazing.diagram import Diagram
+from crazing.maze import TREES
+from crazing.site import Site
 
 #: One TOML file a preset.
 PRESETS = Path(__file__).parent / "presets"
 
-SAMPLERS = ("uniform", "normal", "laplace")
+GENERATORS = ("maze", "splitting", "impact")
+SAMPLERS = ("uniform", "poisson-disk", "normal", "laplace")
 
 # What a number may be: lowest and highest; ints are counts.
 _RANGES: dict[str, tuple[float, float]] = {
     "n": (0, 2**31 - 1),
     "relax": (0, 1000),
+    "falloff": (0, 8),
+    "anisotropy": (1, 32),
+    "angle": (-360, 360),
     "opening": (0, 1),
     "rounds": (0, 1000),
     "pull": (0, 1),
     "slide": (0, 1),
     "clamp": (0, 0.5),
+    "jitter": (0, 4),
+    "bend": (0, 1),
+    "speed": (1, 10_000),
+    "arcs": (0, 1),
+    "warp": (0, 4),
+    "roughness": (0, 4),
+    "hurst": (0, 2),
+    "grain": (0.001, 1000),
     "thickness": (0, 8),
     "hierarchy": (0, 8),
+    "shrink": (0, 2),
     "taper": (0, 1),
+    "abutting": (0, 2),
+    "unevenness": (0, 2),
+    "fade": (0, 16),
 }
-_WORDS = {"sampler": SAMPLERS, "tree": TREES}
+_WORDS = {"generator": GENERATORS, "sampler": SAMPLERS, "tree": TREES}
+
+#: Within this part of the smaller side of the bounds about the source cracks are widest.
+_REACH = 0.25
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,12 +68,21 @@ class Recipe:
 
     Parameters
     ----------
+    generator : {"maze", "splitting", "impact"}
+        What is drawn: the walls of a maze of plates; walls that split plate after plate; spokes and arcs.
     n : int
         Number of plates, when no points are given.
-    sampler : {"uniform", "normal", "laplace"}
-        How the plates are spread, when no points are given.
+    sampler : {"uniform", "poisson-disk", "normal", "laplace"}
+        How the plates of a maze are spread, when no points are given; a Poisson-disk sample has about `n`.
     relax : int
         Rounds of Lloyd's relaxation: plates become alike. 0 to 2; more is a honeycomb.
+    falloff : float
+        Plates are finer near the source: their density is ``(1 + (d / r)**2)**-falloff`` at a distance d, with r an
+        eighth of the smaller side. 0 is even.
+    anisotropy : float
+        Plates are this many times as long, along `angle`, as they are wide.
+    angle : float
+        Degrees from the x axis, counter-clockwise. Of a maze on a torus the nearest multiple of 90.
     tree : {"depth-first", "kruskal", "prim", "wilson"}
         The tree of the maze whose walls the cracks are, see :func:`crazing.maze`.
     opening : float
@@ -66,12 +95,37 @@ class Recipe:
         The part of the way along the chord to where the abutting crack meets it at 90 degrees: more makes more T.
     clamp : float
         The part of the chord at both ends that sliding keeps out of.
+    jitter : float
+        Splitting: standard deviation of the logarithm of the size by which the next plate is chosen.
+    bend : float
+        Splitting: how far new cracks bend to meet old ones at right angles, 0 to 1.
+    speed : float
+        Impact: of what hits, km/h; the number of spokes grows as its square root, 4 at 70 and 8 at 280.
+    arcs : float
+        Impact: the share of arcs that are there near the source.
+    warp : float
+        Standard deviation of a smooth warp of the whole, in spacings.
+    roughness : float
+        Standard deviation, in the middle, of a crack one spacing long, in spacings. Tiny for glaze, .05 for asphalt.
+    hurst : float
+        Deviation grows with this power of length: .5 is a random walk, .7 is what real cracks show.
+    grain : float
+        Pieces of rough cracks are no longer than this many spacings.
     thickness : float
         Width of the longest crack, in spacings.
     hierarchy : float
         Width grows with this power of the length of a crack: 0 makes all alike, .5 is what real cracks show.
+    shrink : float
+        Width is this part of the parent generation's.
     taper : float
         The part of a crack over which a free tip runs out.
+    abutting : float
+        Width of an abutting end, as a part of the crack's own.
+    unevenness : float
+        Standard deviation of the logarithm of width from crack to crack; half of it along a crack.
+    fade : float
+        Width falls with the distance d from the source as ``(1 + (d / r)**2)**(-fade / 2)``, with r a quarter of the
+        smaller side.
     title : str
         What the recipe makes.
     citation : str
@@ -90,18 +144,34 @@ class Recipe:
     (0.0, 0.0, 1.0, 1.0)
     """
 
+    generator: str = "maze"
     n: int = 300
     sampler: str = "uniform"
     relax: int = 0
+    falloff: float = 0.0
+    anisotropy: float = 1.0
+    angle: float = 0.0
     tree: str = "depth-first"
     opening: float = 1.0
     rounds: int = 0
     pull: float = 0.64
     slide: float = 0.18
     clamp: float = 0.2
+    jitter: float = 0.3
+    bend: float = 1.0
+    speed: float = 200.0
+    arcs: float = 0.8
+    warp: float = 0.0
+    roughness: float = 0.0
+    hurst: float = 0.7
+    grain: float = 0.15
     thickness: float = 0.125
     hierarchy: float = 0.5
+    shrink: float = 1.0
     taper: float = 0.5
+    abutting: float = 0.6
+    unevenness: float = 0.0
+    fade: float = 0.0
     title: str = field(default="", compare=False)
     citation: str = field(default="", compare=False)
 
@@ -142,6 +212,7 @@ class Recipe:
         *,
         width: float | None = None,
         source: ArrayLike | None = None,
+        density: Any = None,
         bounds: ArrayLike | None = None,
         period: ArrayLike | None = None,
         rng: _rng.RNG = None,
@@ -155,7 +226,10 @@ class Recipe:
         width : float, optional
             Width of the longest crack, data units, instead of `thickness` spacings.
         source : (x, y), optional
-            Where the damage starts, data units.
+            Where the damage starts, data units; the middle of the bounds by default. See `falloff` and `fade`.
+        density : array_like or callable, optional
+            Plates are finer where this is larger: an image over the bounds, row 0 at the top, see
+            :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units).
         bounds : (xmin, ymin, xmax, ymax), optional
             What the pattern is clipped to, data units.
         period : (width, height), optional
@@ -176,34 +250,38 @@ class Recipe:
         """
         seed = np.random.default_rng(rng)
         torus = None if period is None else period_pair(period)
-        if points is None:
-            if torus is not None and bounds is not None:
-                raise ValueError("bounds and period are both given; a periodic picture is one period")
-            sides = (1.0, 1.0) if torus is None else torus
-            box = bounds_tuple((0.0, 0.0, *sides) if bounds is None else bounds)
-            bounds = box if torus is None else None
-            points = self._sites(box, seed)
-        diagram = as_tiling(points, torus)
-        width = self.thickness * _spacing(diagram) if width is None else number(width, "width", low=0)
-        carved = maze(diagram, tree=self.tree, opening=self.opening, bounds=bounds, rng=seed)
-        net, fence = steps.walls(carved)
-        return self._finish(net, fence, width, carved.bounds)
-
-    def _sites(self, bounds: tuple[float, float, float, float], seed: np.random.Generator) -> Any:
-        if self.sampler == "uniform":
-            return sample.uniform(self.n, bounds=bounds, rng=seed)
-        draw = sample.normal if self.sampler == "normal" else sample.laplace
-        low, high = np.reshape(bounds, (2, 2))
-        return draw(self.n, loc=(low + high) / 2, scale=(high - low).min() / 8, rng=seed)
-
-    def _finish(self, net: steps.Net, fence: steps.Fence, width: float, bounds: Any) -> Crack:
-        """The steps after the drawing: straightening, then width."""
-        partner = steps.pairs(net)
+        if torus is not None and bounds is not None:
+            raise ValueError("bounds and period are both given; a periodic picture is one period")
+        if points is not None and self.generator != "maze":
+            raise ValueError(f"points are given; the generator {self.generator!r} takes none")
+        box = None if points is not None and bounds is None else bounds_tuple(bounds or (0.0, 0.0, *(torus or (1, 1))))
+        site = Site(self, box, torus, source, density)
+        drawing, unit = site.maze(points, seed) if self.generator == "maze" else site.aged(seed)
         if self.rounds:
-            net = steps.straightened(
-                net, partner, fence, rounds=self.rounds, pull=self.pull, slide=self.slide, clamp=self.clamp
+            drawing = steps.straighten(drawing, rounds=self.rounds, pull=self.pull, slide=self.slide, clamp=self.clamp)
+        # Every step draws its key, wanted or not: turning one off leaves the others as they are.
+        seeds = [np.random.default_rng(_rng.key(seed)) for _ in range(3)]
+        if self.warp and unit:
+            drawing = steps.warp(drawing, amplitude=self.warp * unit, rng=seeds[0])
+        if self.roughness and unit:
+            drawing = steps.roughen(
+                drawing, roughness=self.roughness, unit=unit, hurst=self.hurst, grain=self.grain, rng=seeds[1]
             )
-        return steps.widened(net, partner, bounds, width, self.hierarchy, self.taper)
+        where, side = site.centre(drawing.bounds)
+        return steps.widen(
+            drawing,
+            width=self.thickness * unit if width is None else number(width, "width", low=0),
+            hierarchy=self.hierarchy,
+            shrink=self.shrink,
+            taper=self.taper,
+            abutting=self.abutting,
+            unevenness=self.unevenness,
+            unit=unit,
+            source=where,
+            reach=_REACH * side,
+            fade=self.fade,
+            rng=seeds[2],
+        )
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Recipe:
@@ -304,17 +382,6 @@ def _toml(value: str | float) -> str:
     return '"' + "".join(c if c >= " " and c != "\x7f" else f"\\u{ord(c):04x}" for c in escaped) + '"'
 
 
-def _spacing(diagram: Diagram) -> float:
-    """The median length of the Delaunay edges: the mean would follow far outliers."""
-    if not len(diagram.edges):
-        return 0.0
-    ends = diagram.sites[diagram.edges]
-    step = ends[:, 1] - ends[:, 0]
-    if diagram.period is not None:
-        step = step + diagram.shifts * np.asarray(diagram.period)
-    return float(np.median(np.hypot(*step.T)))
-
-
 def presets() -> tuple[str, ...]:
     """The names of the recipes that come with the package.
 
@@ -368,6 +435,7 @@ def crack(
     opening: float | None = None,
     width: float | None = None,
     source: ArrayLike | None = None,
+    density: Any = None,
     bounds: ArrayLike | None = None,
     period: ArrayLike | None = None,
     rng: _rng.RNG = None,
@@ -391,7 +459,11 @@ def crack(
         Width of the longest crack, data units. By default an eighth of the median distance between neighbouring
         points, or as in the preset.
     source : (x, y), optional
-        Where the damage starts, data units: see `falloff` and `fade` of :class:`crazing.Recipe`.
+        Where the damage starts, data units; the middle of the bounds by default. See `falloff` and `fade` of
+        :class:`crazing.Recipe`.
+    density : array_like or callable, optional
+        Plates are finer where this is larger: an image over the bounds, row 0 at the top, see
+        :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units).
     bounds : (xmin, ymin, xmax, ymax), optional
         What the pattern is clipped to, data units. By default the unit square without `points`, else their bounding
         box grown by a tenth.
@@ -433,4 +505,4 @@ def crack(
     )
     if points is not None and n is not None:
         raise ValueError("points and n are both given; n is for uniform points without points")
-    return recipe.crack(points, width=width, source=source, bounds=bounds, period=period, rng=rng)
+    return recipe.crack(points, width=width, source=source, density=density, bounds=bounds, period=period, rng=rng)

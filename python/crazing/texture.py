@@ -229,7 +229,8 @@ def texture_plan(
     arrays = _pattern(crack)
     box = arguments.bounds_tuple(crack.bounds if bounds is None else bounds)
     scaled = _scaled(material, crack, arrays)
-    return TexturePlan(crack, shape, names, material, box, seed, threads, arrays, _no_sides(len(arrays[1])), scaled)
+    sides = _sides(names, material, crack, arrays)
+    return TexturePlan(crack, shape, names, material, box, seed, threads, arrays, sides, scaled)
 
 
 def texture(
@@ -321,8 +322,13 @@ def _pattern(crack: Any) -> tuple[Any, ...]:
     return vertices, edges, np.ascontiguousarray(shifts, dtype=np.int8).reshape(-1, 2), widths, *labels
 
 
-def _no_sides(edges: int) -> tuple[Any, ...]:
-    return np.zeros((edges, 2), dtype=np.int32), np.zeros((edges, 4)), np.zeros(1)
+def _sides(names: tuple[str, ...], material: Material, crack: Any, arrays: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The plates beside every edge, where a map depends on them."""
+    differ = material.tilt or material.level or material.tint or material.curl * material.curl_spread
+    if "cell" in names or (differ and not {*names} <= {"mask", "distance", "strand", "generation", "direction"}):
+        return _core.plates(arrays, arguments.bounds_tuple(crack.bounds), getattr(crack, "period", None))
+    edges = len(arrays[1])
+    return np.zeros((edges, 4), dtype=np.int32), np.zeros((edges, 8)), np.zeros(1)
 
 
 def _scaled(material: Material, crack: Any, arrays: tuple[Any, ...]) -> dict[str, Any]:

@@ -14,7 +14,9 @@ from crazing.cli.failures import Program
 COMMANDS = (
     "compare",
     "edit",
+    "fit",
     "maze",
+    "measure",
     "texture",
 )
 

@@ -1,6 +1,11 @@
 //! The steps of a crack.
 
-use crazing::crack::{self, Fence, FenceView, Net, NetView, Profile, Straightening};
+use crazing::Point;
+use crazing::crack::{
+    self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Roughness, Splitting, Straightening,
+};
+use crazing::rng::Key;
+use crazing::sample::Density;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -44,12 +49,12 @@ impl FenceArrays<'_> {
     }
 }
 
-type NetOut<'py> = (Table<'py, f64>, Table<'py, i32>, Table<'py, i8>, [f64; 2], Row<'py, bool>);
+type NetOut<'py> = (Table<'py, f64>, Table<'py, i32>, Table<'py, i8>, (f64, f64), Row<'py, bool>);
 type FenceOut<'py> = (Table<'py, f64>, Table<'py, i32>, Table<'py, i8>);
 
 fn net_out(py: Python<'_>, net: Net) -> PyResult<NetOut<'_>> {
     let Net { vertices, edges, shifts, period, cut } = net;
-    Ok((table(py, vertices)?, table(py, edges)?, table(py, shifts)?, period, PyArray1::from_vec(py, cut)))
+    Ok((table(py, vertices)?, table(py, edges)?, table(py, shifts)?, period.into(), PyArray1::from_vec(py, cut)))
 }
 
 fn fence_out(py: Python<'_>, fence: Fence) -> PyResult<FenceOut<'_>> {
@@ -121,7 +126,148 @@ pub(crate) fn crack_wrap<'py>(py: Python<'py>, net: NetArrays<'py>) -> PyResult<
     net_out(py, wrapped)
 }
 
+type AgedOut<'py> = (NetOut<'py>, FenceOut<'py>, Row<'py, i32>, Row<'py, i32>);
+
+fn aged_out(py: Python<'_>, aged: Aged) -> PyResult<AgedOut<'_>> {
+    let [partner, age] = [aged.partner, aged.age].map(|entries| PyArray1::from_vec(py, entries));
+    Ok((net_out(py, aged.net)?, fence_out(py, aged.fence)?, partner, age))
+}
+
+/// The rough drawing, its partners, and the edge that each piece is of.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the face passes them one by one")]
+pub(crate) fn crack_roughen<'py>(
+    py: Python<'py>,
+    net: NetArrays<'py>,
+    partner: PyReadonlyArray1<'py, i32>,
+    fence: FenceArrays<'py>,
+    amplitude: f64,
+    hurst: f64,
+    unit: f64,
+    grain: f64,
+    key: Key,
+) -> PyResult<(NetOut<'py>, Row<'py, i32>, Row<'py, i32>)> {
+    let net = net.view()?;
+    let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);
+    let how = Roughness { amplitude, hurst, unit, grain };
+    let rough = detached(py, |watch| crack::roughen(net, partner, fence, how, key, watch))?;
+    let [partner, origin] = [rough.partner, rough.origin].map(|entries| PyArray1::from_vec(py, entries));
+    Ok((net_out(py, rough.net)?, partner, origin))
+}
+
+/// The vertices after a smooth warp.
+#[pyfunction]
+pub(crate) fn crack_warp<'py>(
+    py: Python<'py>,
+    net: NetArrays<'py>,
+    fence: FenceArrays<'py>,
+    amplitude: f64,
+    bounds: [f64; 4],
+    key: Key,
+) -> PyResult<Table<'py, f64>> {
+    let net = net.view()?;
+    let fence = fence.view(net)?;
+    table(py, detached(py, |watch| crack::warp(net, fence, amplitude, bounds, key, watch))?)
+}
+
+/// A density as the face passes it: pixels, and their bounds.
+#[derive(FromPyObject)]
+pub(crate) struct DensityArrays<'py>(PyReadonlyArray2<'py, f64>, [f64; 4]);
+
+impl DensityArrays<'_> {
+    pub(crate) fn view(&self) -> PyResult<Density<'_>> {
+        let values = self.0.as_slice().unwrap_or_default();
+        let density = Density { values, columns: self.0.shape()[1], bounds: self.1 };
+        checked(density.check())?;
+        Ok(density)
+    }
+}
+
+/// Cells split again and again.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the face passes them one by one")]
+pub(crate) fn crack_split<'py>(
+    py: Python<'py>,
+    bounds: [f64; 4],
+    on_torus: bool,
+    cells: usize,
+    jitter: f64,
+    bend: f64,
+    anisotropy: f64,
+    angle: f64,
+    density: Option<DensityArrays<'py>>,
+    key: Key,
+) -> PyResult<AgedOut<'py>> {
+    let density = density.as_ref().map(DensityArrays::view).transpose()?;
+    let how = Splitting { cells, jitter, bend, anisotropy, angle };
+    aged_out(py, detached(py, |watch| crack::split(bounds, on_torus, how, density, key, watch))?)
+}
+
+/// Spokes and arcs about an impact.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the face passes them one by one")]
+pub(crate) fn crack_impact<'py>(
+    py: Python<'py>,
+    bounds: [f64; 4],
+    on_torus: bool,
+    source: Point,
+    speed: f64,
+    cells: usize,
+    arcs: f64,
+    key: Key,
+) -> PyResult<AgedOut<'py>> {
+    let how = Impact { source, speed, cells, arcs };
+    aged_out(py, detached(py, |watch| crack::impact(bounds, on_torus, how, key, watch))?)
+}
+
+/// The part of a drawing within bounds.
+#[pyfunction]
+pub(crate) fn crack_trim<'py>(
+    py: Python<'py>,
+    net: NetArrays<'py>,
+    fence: FenceArrays<'py>,
+    partner: PyReadonlyArray1<'py, i32>,
+    age: Vec<i32>,
+    bounds: [f64; 4],
+) -> PyResult<AgedOut<'py>> {
+    let view = net.view()?;
+    let (fence, partner) = (fence.view(view)?, ends(&partner, view)?);
+    let trimmed = detached(py, |_| {
+        let (anchors, kites) = (fence.anchors.to_vec(), fence.kites.to_vec());
+        let fence = Fence { anchors, kites, shifts: Vec::new() };
+        let net = Net { shifts: Vec::new(), ..view.wrapped() };
+        Aged { net, fence, partner: partner.to_vec(), age }.trimmed(bounds)
+    })?;
+    aged_out(py, trimmed)
+}
+
+/// When the crack gets to both ends of every edge.
+#[pyfunction]
+pub(crate) fn crack_arrivals<'py>(
+    py: Python<'py>,
+    net: NetArrays<'py>,
+    strand: PyReadonlyArray1<'py, i32>,
+    parent: PyReadonlyArray1<'py, i32>,
+) -> PyResult<Table<'py, f64>> {
+    let net = net.view()?;
+    let strand = column(&strand, "strand", net.edges.len())?;
+    checked(crazing::graph::check_indices("strand", strand.as_chunks::<1>().0, 0, net.edges.len()))?;
+    let parent = column(&parent, "parent", net.edges.len())?;
+    table(py, detached(py, |_| Ok(crack::arrivals(net, strand, parent)))?)
+}
+
 type Strands<'py> = (Table<'py, f64>, Row<'py, i32>, Row<'py, i32>, Row<'py, i32>);
+
+/// How wide cracks are, as the face passes it: the fields of a `Profile` in order.
+#[derive(FromPyObject)]
+pub(crate) struct Widths(f64, f64, f64, f64, f64, f64, f64, Point, f64, f64);
+
+impl Widths {
+    fn profile(self) -> Profile {
+        let Self(width, hierarchy, shrink, taper, abutting, unevenness, unit, source, reach, fade) = self;
+        Profile { width, hierarchy, shrink, taper, abutting, unevenness, unit, source, reach, fade }
+    }
+}
 
 /// Widths, and the strand, generation and parent of every edge.
 #[pyfunction]
@@ -129,15 +275,16 @@ pub(crate) fn crack_widths<'py>(
     py: Python<'py>,
     net: NetArrays<'py>,
     partner: PyReadonlyArray1<'py, i32>,
-    width: f64,
-    hierarchy: f64,
-    taper: f64,
+    age: PyReadonlyArray1<'py, i32>,
+    widths: Widths,
+    key: Key,
 ) -> PyResult<Strands<'py>> {
-    let net = net.view()?;
+    let (net, profile) = (net.view()?, widths.profile());
     let partner = ends(&partner, net)?;
+    let age = age.as_slice().unwrap_or_default();
     let (widths, strands) = detached(py, |_| {
-        let strands = crack::strands(net, partner);
-        Ok((crack::widths(net, &strands, Profile { width, hierarchy, taper })?, strands))
+        let strands = crack::strands(net, partner, age);
+        Ok((crack::widths(net, &strands, profile, key)?, strands))
     })?;
     let parent = strands.of_edge.iter().map(|&strand| strands.parent[strand as usize]).collect();
     let [strand, generation, parent] =

@@ -15,8 +15,11 @@ use crate::predicates::orientation;
 /// copies of a place on a torus differ by roundings, and pictures have a resolution.
 const FLAT: f64 = 1e-9;
 
+/// A sum of two products above this part of their sizes has the sign it seems to have.
+const SURE: f64 = 16.0 * f64::EPSILON;
+
 /// Two triangles an edge: kite `[a, b, left, right]` holds `a b left` and `b a right`. Kite `k` is about edge `k` of
-/// the drawing; more may follow, about edges that are not drawn. -1 on the outside.
+/// the drawing; more may follow, about edges that are not drawn. Nothing at a kite with a -1 moves.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Fence {
     /// Points that do not move; numbered after the vertices of the drawing.
@@ -100,7 +103,13 @@ impl<'a> Guard<'a> {
         self.points[..self.movable].iter().map(|&p| self.scale.up(p)).collect()
     }
 
-    /// Moves a vertex to `target`, or part of the way, or not at all.
+    /// Moves a vertex by `step`, in the unit of the drawing, as [`Guard::advance`] does.
+    pub(super) fn shove(&mut self, vertex: usize, step: Point) {
+        let (from, step) = (self.points[vertex], self.scale.down(step));
+        self.advance(vertex, [from[0] + step[0], from[1] + step[1]]);
+    }
+
+    /// Moves a vertex to `target`, in the unit of exact work, or part of the way, or not at all.
     pub(super) fn advance(&mut self, vertex: usize, target: Point) {
         let from = self.points[vertex];
         for part in [1.0, 0.5, 0.25] {
@@ -115,27 +124,35 @@ impl<'a> Guard<'a> {
     fn allows(&self, vertex: usize, to: Point) -> bool {
         to != self.points[vertex]
             && self.at.at(vertex).iter().all(|&row| {
-                [[0, 1, 2], [1, 0, 3]].into_iter().all(|triangle| self.stays(row as usize, triangle, vertex, to))
+                let kite = self.fence.kites[row as usize];
+                let end = |corner: usize| kite[corner] == vertex as i32;
+                // Vertex and row of a kite may be the same twice: an edge from a place to a copy of it.
+                let (left, right) = (end(0) || end(1) || end(2), end(0) || end(1) || end(3));
+                (!left || self.stays(row as usize, [0, 1, 2], vertex, to))
+                    && (!right || self.stays(row as usize, [1, 0, 3], vertex, to))
             })
     }
 
     /// Whether a triangle of a kite stays counter-clockwise, and is not flattened.
+    #[inline]
     fn stays(&self, row: usize, triangle: [usize; 3], vertex: usize, to: Point) -> bool {
         let kite = self.fence.kites[row];
-        let corners = triangle.map(|i| kite[i]);
-        if corners[2] < 0 || !corners.contains(&(vertex as i32)) {
+        if kite[triangle[2]] < 0 {
+            return false;
+        }
+        let point = |i: usize| self.points[kite[i] as usize];
+        let after = triangle.map(|i| self.moved(row, i, if kite[i] == vertex as i32 { to } else { point(i) }));
+        let [a, b, c] = after;
+        let square = |p: Point, q: Point| (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
+        let floor = FLAT * square(a, b).max(square(b, c)).max(square(c, a));
+        // Most triangles are far from flat: their sign needs no exact arithmetic.
+        let (left, right) = ((b[0] - a[0]) * (c[1] - a[1]), (b[1] - a[1]) * (c[0] - a[0]));
+        if left - right >= floor && left - right > SURE * (left.abs() + right.abs()) {
             return true;
         }
-        let before = triangle.map(|i| self.moved(row, i, self.points[kite[i] as usize]));
-        let after = triangle.map(|i| {
-            let p = if kite[i] == vertex as i32 { to } else { self.points[kite[i] as usize] };
-            self.moved(row, i, p)
-        });
-        let [a, b, c] = after;
         let area = orientation(a, b, c);
-        let square = |p: Point, q: Point| (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
-        let longest = square(a, b).max(square(b, c)).max(square(c, a));
-        area > 0.0 && (area >= FLAT * longest || area >= orientation(before[0], before[1], before[2]))
+        let before = triangle.map(|i| self.moved(row, i, point(i)));
+        area > 0.0 && (area >= floor || area >= orientation(before[0], before[1], before[2]))
     }
 
     #[inline]

@@ -1,15 +1,27 @@
 //! Cracks: the walls of a maze, followed as strands and given a width. One step of a recipe a file.
 
+mod aged;
 mod fence;
+mod growth;
+mod impact;
 mod net;
+mod roughen;
+mod split;
 mod straighten;
 mod strand;
 mod walls;
+mod warp;
 mod width;
 
+pub use aged::Aged;
 pub use fence::{Fence, FenceView};
+pub use growth::arrivals;
+pub use impact::{Impact, impact, spokes};
 pub use net::{Net, NetView};
+pub use roughen::{Rough, Roughness, roughen};
+pub use split::{Splitting, split};
 pub use straighten::{Straightening, straighten};
 pub use strand::{Strands, pairs, strands};
 pub use walls::{Walls, on_torus, within};
+pub use warp::warp;
 pub use width::{Profile, widths};

@@ -12,11 +12,11 @@ const STAR: usize = 8;
 /// The strands of a graph. Ends are numbered 2 edge + side.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Strands {
-    /// The strand of each edge; strand 0 is the longest.
+    /// The strand of each edge; strand 0 is the oldest.
     pub of_edge: Vec<i32>,
-    /// The strand that each strand abuts: of the longer ones at its ends the youngest, or -1.
+    /// The strand that each strand abuts: of the older ones at its ends the youngest, or -1.
     pub parent: Vec<i32>,
-    /// The generation of each edge's strand: 0 abuts no longer strand, others are one more than the youngest longer
+    /// The generation of each edge's strand: 0 abuts no older strand, others are one more than the youngest older
     /// strand they abut.
     pub generation: Vec<i32>,
     /// The ends of the edges along each strand in turn: an end to enter an edge by.
@@ -28,10 +28,15 @@ pub struct Strands {
 }
 
 /// Follows the best-aligned pairs of edges through a drawing; `partner` is what [`pairs`] gives.
-pub fn strands(net: NetView<'_>, partner: &[i32]) -> Strands {
+///
+/// `age` of every edge, low is old, orders the strands; where there is none the longer is the older.
+pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
     let mut runs = follow(net, partner);
-    // Longest first; equal lengths by their first edge.
-    runs.sort_by(|a, b| b.length.total_cmp(&a.length).then(a.lowest.cmp(&b.lowest)));
+    let age = |run: &Run| age.get(run.lowest as usize).copied().unwrap_or(0);
+    // Oldest first, then longest; equal lengths by their first edge.
+    runs.sort_by(|a, b| {
+        age(a).cmp(&age(b)).then(b.length.total_cmp(&a.length)).then(a.lowest.cmp(&b.lowest))
+    });
     number(net, &Ends::of(net), &runs)
 }
 
@@ -122,7 +127,7 @@ fn number(net: NetView<'_>, ends: &Ends, runs: &[Run]) -> Strands {
     }
     let mut generation: Vec<i32> = Vec::with_capacity(runs.len());
     for (strand, run) in runs.iter().enumerate() {
-        // Both outer ends of the strand; longer strands have their generation already.
+        // Both outer ends of the strand; older strands have their generation already.
         let tips = [run.entries.first().copied(), run.entries.last().map(|entry| entry ^ 1)];
         let met = tips.into_iter().flatten().flat_map(|tip| ends.at(net.vertex(tip)));
         let older = met.map(|&end| strands.of_edge[end as usize / 2] as usize).filter(|&other| other < strand);
