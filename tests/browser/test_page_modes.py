@@ -114,7 +114,7 @@ def test_crack_under_a_moving_light(opened: Opener) -> None:
     editor.turn("opening", 0)
     editor.settle()
     assert rows(editor)["free ends"] != ["0"] or rows(editor)["pieces"] == ["1"]
-    editor.page.get_by_label("Plates").select_option("of the recipe")
+    editor.turn("plates", "of the recipe")
     editor.settle()
     editor.do("clear")
     editor.settle()

@@ -132,7 +132,7 @@ def test_snapped_points_are_short_decimals(opened: Opener) -> None:
     for place in [(0.213, 0.687), (0.71, 0.304), (0.452, 0.118)]:
         editor.click(*place)
     assert all(len(repr(value)) <= 5 for value in editor.points.ravel().tolist())
-    assert np.abs(editor.points - [(0.213, 0.687), (0.71, 0.304), (0.452, 0.118)]).max() <= 0.026
+    assert np.abs(editor.points - [(0.213, 0.687), (0.71, 0.304), (0.452, 0.118)]).max() <= 0.051
 
 
 def test_a_freehand_curve_is_sampled_at_the_spacing(opened: Opener) -> None:
@@ -155,18 +155,24 @@ def test_a_freehand_curve_is_sampled_at_the_spacing(opened: Opener) -> None:
 
 def test_zoom_keeps_its_place_and_pan_moves_it(opened: Opener) -> None:
     editor = opened(RING)
-    at = editor.place(0.8, 0.8)
+    # A wheel turns at whole pixels.
+    at = tuple(map(round, editor.place(0.8, 0.8)))
+    off = np.subtract(editor.place(0.8, 0.8), at)
     editor.page.mouse.move(*at)
+    scale = editor.page.evaluate("() => document.querySelector('.crz').editor.view.scale")
     for _ in range(4):
         editor.page.mouse.wheel(0, -120)
     editor.page.wait_for_timeout(100)
-    assert np.allclose(editor.place(0.8, 0.8), at, atol=0.01)
+    zoomed = editor.page.evaluate("() => document.querySelector('.crz').editor.view.scale") / scale
+    assert zoomed > 2
+    assert np.allclose(editor.place(0.8, 0.8), at + off * zoomed, atol=0.01)
+    was = np.array(editor.place(0.8, 0.8))
     before = np.hypot(*np.subtract(editor.place(0.8, 0.8), editor.place(0.2, 0.8)))
     assert before > 700
     editor.page.mouse.down(button="middle")
     editor.page.mouse.move(at[0] - 50, at[1] + 20)
     editor.page.mouse.up(button="middle")
-    assert np.allclose(editor.place(0.8, 0.8), (at[0] - 50, at[1] + 20), atol=0.01)
+    assert np.allclose(editor.place(0.8, 0.8), was + np.array([-50, 20]), atol=0.01)
     editor.page.keyboard.press("0")
     left, _ = editor.corner
     assert left < editor.place(0.2, 0.5)[0] < editor.place(0.8, 0.5)[0] < left + 880

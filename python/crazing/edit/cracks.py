@@ -31,7 +31,7 @@ def _changes(values: dict[str, Any]) -> dict[str, Any]:
 
 def has_own_plates(values: dict[str, Any]) -> bool:
     """Whether the plates are the recipe's, so that no points are needed."""
-    return bool(values["plates"] == OWN_PLATES)
+    return bool(values["plates"] == OWN_PLATES or values["generator"] != "maze")
 
 
 def crack_of(points: ArrayLike | Diagram, values: dict[str, Any]) -> Crack:

@@ -154,7 +154,7 @@ def dxf(layers: list[Layer], box: Box) -> bytes:
 def zipped(content: dict[str, bytes]) -> bytes:
     """Files by name in a zip that is the same bytes for the same content."""
     file = io.BytesIO()
-    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
         for name in sorted(content):
             # Without a date: the earliest that a zip can hold.
             archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), content[name])

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 
 from crazing import arguments
 from crazing.maze import TREES
-from crazing.recipe import SAMPLERS, Recipe, preset, presets
+from crazing.recipe import GENERATORS, SAMPLERS, Recipe, preset, presets
 from crazing.skeleton import CRUSTS
 
 #: Values of every panel: `values["maze"]["opening"]`.
@@ -130,22 +130,46 @@ OWN_PLATES = "of the recipe"
 
 # What is known about the fields of a recipe: label, and for numbers low, high and step of the slider; what it does.
 _FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
-    "n": ("Plates", (3, 20_000, 1), ""),
+    "generator": ("Generator", (0, 0, 0), ""),
+    "n": ("Number of plates", (3, 20_000, 1), ""),
     "sampler": ("Spread", (0, 0, 0), ""),
     "relax": ("Relaxation", (0, 10, 1), "Rounds that make plates alike"),
+    "falloff": ("Falloff", (0, 8, 0.1), "Finer plates near the middle"),
+    "anisotropy": ("Stretch", (0.1, 10, 0.1), "Of plates, along the angle"),
+    "angle": ("Angle", (-180, 180, 1), "Degrees"),
     "tree": ("Tree", (0, 0, 0), ""),
     "opening": ("Opening", (0, 1, 0.01), "0 closes every plate, 1 none"),
     "rounds": ("Straightening", (0, 20, 1), "Rounds"),
     "pull": ("Pull", (0, 1, 0.01), "Of a round, towards the chord"),
     "slide": ("Slide", (0, 1, 0.01), "Of a round, towards T junctions"),
     "clamp": ("Clamp", (0, 0.5, 0.01), "What sliding keeps out of"),
+    "jitter": ("Jitter", (0, 2, 0.01), "How plates differ in size"),
+    "bend": ("Bend", (0, 1, 0.01), "Of new cracks towards old ones"),
+    "speed": ("Speed", (10, 600, 5), "Of what hits, km/h"),
+    "arcs": ("Arcs", (0, 1, 0.01), "Around the impact"),
+    "warp": ("Warp", (0, 1, 0.01), "Of the whole, in spacings"),
+    "roughness": ("Roughness", (0, 0.3, 0.005), "Of every crack"),
+    "hurst": ("Hurst exponent", (0, 1, 0.01), "Smooth or jagged roughness"),
+    "grain": ("Grain", (0.02, 1, 0.01), "Finest roughness, in spacings"),
     "thickness": ("Thickness", (0, 0.5, 0.005), "In spacings of plates"),
     "hierarchy": ("Hierarchy", (0, 2, 0.01), "How much wider long cracks are"),
+    "shrink": ("Shrink", (0, 1, 0.01), "Width from a generation to the next"),
     "taper": ("Taper", (0, 1, 0.01), "The part over which a tip runs out"),
+    "abutting": ("Abutting", (0, 1, 0.01), "Width where a crack meets another"),
+    "unevenness": ("Unevenness", (0, 1, 0.01), "Of width along a crack"),
+    "fade": ("Fade", (0, 8, 0.1), "Thinner away from the middle"),
 }
-_WORDS = {"sampler": SAMPLERS, "tree": TREES}
-_FIRST = ("opening", "rounds", "thickness", "hierarchy", "taper")
-_OWN = ("n", "sampler", "relax")
+_WORDS = {"generator": GENERATORS, "sampler": SAMPLERS, "tree": TREES}
+_FIRST = ("opening", "rounds", "roughness", "thickness", "hierarchy", "taper")
+_OWN = ("n", "sampler", "relax", "falloff")
+_ONLY = {
+    **dict.fromkeys(("tree", "opening", "relax", "sampler"), "generator:maze"),
+    **dict.fromkeys(("jitter", "bend"), "generator:splitting"),
+    **dict.fromkeys(("speed", "arcs"), "generator:impact"),
+}
+
+#: What the page starts with.
+START = "painting-flemish"
 
 
 def recipe_fields() -> list[str]:
@@ -157,12 +181,12 @@ def recipe_fields() -> list[str]:
 def _recipe_knob(name: str) -> Knob:
     """The knob of one field; a field that nothing is known about gets a range around its values."""
     values = [getattr(recipe, name) for recipe in recipes().values()]
-    default = values[0]
+    default = getattr(recipes()[START], name)
     label, (low, high, step), help = _FIELDS.get(name, (name.replace("_", " ").capitalize(), (0, 0, 0), ""))
-    needs, group = ("plates:" + OWN_PLATES if name in _OWN else ""), ("" if name in (*_FIRST, *_OWN) else "More steps")
-    more = {"needs": needs, "group": group, "help": help}
+    group = "" if name in ("generator", *_FIRST) else "Plates" if name in _OWN else "More steps"
+    more: dict[str, Any] = {"needs": _ONLY.get(name, ""), "group": group, "help": help}
     if name in _WORDS:
-        return choice(name, label, _WORDS[name], **more)
+        return Knob(name, label, "choice", default, choices=_WORDS[name], **more)
     if isinstance(default, bool):
         return switch(name, label, default, **more)
     low, high = min(low, *values), max(high or max(1, 2 * default), *values)
@@ -180,14 +204,19 @@ def recipes() -> dict[str, Recipe]:
 def _crack_knobs() -> tuple[Knob, ...]:
     names = tuple(recipes())
     steps = {name: _recipe_knob(name) for name in recipe_fields()}
-    ordered = [*(steps[name] for name in (*_OWN, *_FIRST)), *(knob for knob in steps.values() if knob.group)]
+    first = [steps.pop(name) for name in ("generator", *_FIRST)]
+    plates = choice("plates", "Plates", ("of the points", OWN_PLATES), needs="generator:maze")
+    tile = switch("tile", "Tiles seamlessly", group="Plates", help="Needs plates of the recipe")
     return (
-        choice("recipe", "Recipe", names),
-        choice("plates", "Plates", ("of the points", OWN_PLATES)),
-        switch("tile", "Tiles seamlessly", needs=f"plates:{OWN_PLATES}"),
-        *ordered,
+        Knob("recipe", "Recipe", "choice", START, choices=names),
+        first[0],
+        plates,
+        *first[1:],
         SEED,
         choice("material", "Material", ("of the recipe", *names[1:], "ink")),
+        *(knob for knob in steps.values() if knob.group == "Plates"),
+        tile,
+        *(knob for knob in steps.values() if knob.group != "Plates"),
     )
 
 

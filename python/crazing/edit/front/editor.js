@@ -8,7 +8,7 @@ import { Scene } from "./scene.js";
 import { lit } from "./light.js";
 import { TOOLS, Tools } from "./tools.js";
 import { controls } from "./controls.js";
-import { keepFile, modeSection, outSection, pictureSection, pointsSection } from "./panels.js";
+import { keepFile, measureSection, modeSection, outSection, pictureSection, pointsSection } from "./panels.js";
 
 /** Pixels of the longer side of a crack's preview when it rests; while it moves as many as can be made in time. */
 const RESTING = 1000;
@@ -49,9 +49,10 @@ class Editor {
     this.points = pointsSection(this, this.state);
     this.picture = pictureSection(this, this.state);
     this.modes = modeSection(this, this.state);
+    this.measures = measureSection(this);
     this.out = outSection(this, this.state);
     this.status = h("p", { role: "status", class: "crz-hidden" });
-    const panel = h("div", { class: "crz-panel", role: "group", "aria-label": "Settings" }, this.modes.element, this.picture.element, this.points.element, this.out.element);
+    const panel = h("div", { class: "crz-panel", role: "group", "aria-label": "Settings" }, this.modes.element, this.picture.element, this.points.element, this.measures.element, this.out.element);
     const stage = h("div", { class: "crz-stage" }, this.#stage(), this.#foot());
     this.root.replaceChildren(h("div", { class: "crz-frame" }, this.#bar(), stage, panel, this.status));
     this.modes.select(this.mode);
@@ -64,7 +65,7 @@ class Editor {
     this.redoButton = iconButton("redo", "Redo (Ctrl+Y)", () => this.redo(), { "data-action": "redo" });
     this.snapButton = iconButton("snap", "Snap to the grid (G)", () => this.setSnap(!this.scene.snap), { "aria-pressed": "false", "data-action": "snap" });
     this.themeButton = iconButton("moon", "Dark", () => this.#turnTheme(), { "data-action": "theme" });
-    const help = h("dialog", { class: "crz-help", "aria-label": "Keys" }, h("h2", {}, "Mouse and keys"), h("dl", {}, KEYS.map(([key, what]) => [h("dt", {}, key), h("dd", {}, what)])),
+    const help = h("dialog", { class: "crz-help", "aria-label": "Keys" }, h("h2", {}, "Mouse and keys"), h("dl", {}, KEYS.flatMap(([key, what]) => [h("dt", {}, key), h("dd", {}, what)])),
       h("form", { method: "dialog" }, h("button", { class: "crz-primary" }, "Close")));
     const mark = h("h1", { class: "crz-mark" }, "crazing");
     return h("div", { class: "crz-bar", role: "toolbar", "aria-label": "Tools" }, mark,
@@ -383,6 +384,10 @@ class Editor {
     return this.wire.ask({ kind: "export", what, size, ...this.#state() }, [this.bytes()]);
   }
 
+  measure() {
+    return this.wire.ask({ kind: "measure", ...this.#state() }, [this.bytes()]);
+  }
+
   async script() {
     return (await this.wire.ask({ kind: "script", source: this.cloud.source, ...this.#state() }, [this.bytes()])).text;
   }
@@ -395,7 +400,7 @@ class Editor {
     this.asked = performance.now();
     this.askedAtRest = this.resting;
     const preview = this.mode === "crack" ? (this.resting ? RESTING : this.moving) : 0;
-    return this.wire.ask({ kind: "layers", preview, ...this.#state() }, [this.bytes()]);
+    return this.wire.ask({ kind: "layers", preview, moving: this.scene.dragging === true, ...this.#state() }, [this.bytes()]);
   }
 
   async #showLayers(answer) {
@@ -479,8 +484,9 @@ class Editor {
   /** What moves is drawn small; when nothing has moved for a while it deserves the large picture. */
   #restLater() {
     clearTimeout(this.rest);
-    if (this.mode !== "crack") return;
     this.rest = setTimeout(() => {
+      this.measures.poke();
+      if (this.mode !== "crack") return;
       this.resting = true;
       this.layers.poke();
     }, 220);

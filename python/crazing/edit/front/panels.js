@@ -1,6 +1,7 @@
 // The panel beside the canvas: points, the mode with its knobs and counts, and what can be taken away.
 
 import { download, h, icon, unique, words } from "./dom.js";
+import { Live } from "./wire.js";
 import { controls } from "./controls.js";
 
 const TITLES = { skeleton: "Skeleton", compare: "Compare", maze: "Maze", crack: "Crack" };
@@ -115,6 +116,26 @@ export function modeSection(editor, state) {
   };
   const set = () => Object.values(knobs).forEach((one) => one.set());
   return { element: h("section", { class: "crz-modes", "aria-label": "Mode" }, list, Object.values(panels)), select, count, set };
+}
+
+/** Statistics of what is shown, measured while the section is open. */
+export function measureSection(editor) {
+  const place = complaint();
+  const table = h("table", { class: "crz-counts" }, h("caption", { class: "crz-hidden" }, "Measures"));
+  const live = new Live(() => editor.measure(), ({ rows }) => {
+    place.textContent = "";
+    table.querySelectorAll("tbody").forEach((part) => part.remove());
+    table.append(h("tbody", {}, rows.map(([name, value]) => h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, words(value))))));
+  }, (error) => {
+    place.textContent = error.message;
+    table.querySelectorAll("tbody").forEach((part) => part.remove());
+  });
+  const element = section("Measure", false, place, table);
+  const poke = () => {
+    if (element.open) live.poke();
+  };
+  element.addEventListener("toggle", poke);
+  return { element, poke };
 }
 
 /** What can be taken away. */
