@@ -18,8 +18,10 @@ from crazing.measure import measure
 from crazing.quad_edge import QuadEdge
 from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
+from crazing.rerun import rerun
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.statistics import CrackStatistics
+from crazing.streaming import write_texture
 from crazing.targets import Targets, targets
 from crazing.texture import Texture, TexturePlan, texture, texture_plan
 from crazing.versions import algorithm_version, show_versions
@@ -61,6 +63,7 @@ __all__ = [
     "preset",
     "presets",
     "render",
+    "rerun",
     "sample",
     "save_png",
     "show_versions",
@@ -68,4 +71,5 @@ __all__ = [
     "targets",
     "texture",
     "texture_plan",
+    "write_texture",
 ]

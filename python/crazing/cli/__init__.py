@@ -17,6 +17,8 @@ COMMANDS = (
     "fit",
     "maze",
     "measure",
+    "presets",
+    "rerun",
     "texture",
 )
 
