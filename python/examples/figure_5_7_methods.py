@@ -1,6 +1,6 @@
 """Figure 5.7: the medial axis by each method, of a curve and of a star with sharp corners.
 
-One-step, which the thesis shows in figure 5.8, is added for comparison: it keeps the axis in one piece.
+One-step, which the thesis shows in figure 5.8, is added: on samples as clean as these it equals the edge filter.
 """
 
 import numpy as np
