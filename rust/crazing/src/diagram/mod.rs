@@ -17,6 +17,7 @@ pub use order::insertion as insertion_order;
 pub use periodic::{PeriodicDiagram, periodic};
 pub use tile::tile;
 pub use vertices::representatives;
+pub(crate) use vertices::shared;
 
 use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};
