@@ -45,6 +45,12 @@ pub(crate) fn map_slow<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send
     choose(len.saturating_mul(LONG), &f, |f| (0..len).map(f).collect(), |f| (0..len).into_par_iter().map(f).collect())
 }
 
+/// The same where every single item is worth a thread.
+pub(crate) fn several<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    let worth = if len > 1 { WORTHWHILE } else { 0 };
+    choose(worth, &f, |f| (0..len).map(f).collect(), |f| (0..len).into_par_iter().map(f).collect())
+}
+
 /// `f` of each of `0..len`, in any order.
 pub(crate) fn each(len: usize, f: impl Fn(usize) + Sync + Send) {
     choose(len, &f, |f| (0..len).for_each(f), |f| (0..len).into_par_iter().with_min_len(WORTHWHILE / 8).for_each(f));

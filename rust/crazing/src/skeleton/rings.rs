@@ -1,6 +1,6 @@
 //! What the rings of a crust say of the axis: which side it is on, and how much of the ring each part of it spans.
 
-use crate::diagram::DiagramView;
+use crate::diagram::{DiagramView, depths};
 use crate::diagram::scale::{Scale, largest};
 use crate::error::{Error, Result};
 use crate::graph::{Polylines, polylines};
@@ -29,8 +29,8 @@ fn is_ring(line: &[i32]) -> bool {
 pub fn inside(view: DiagramView<'_>, mask: &[bool], watch: Watch<'_>) -> Result<Vec<bool>> {
     check(view, mask)?;
     let wall = walls(view, mask, watch)?;
-    let inner = flood(view, &wall, watch)?;
-    let is_inner = |t: i32| t != -1 && inner[t as usize];
+    let depth = depths(view, &wall, watch)?;
+    let is_inner = |t: i32| t != -1 && depth[t as usize] % 2 == 1;
     Ok(view.dual_edges.iter().zip(&wall).map(|(dual, wall)| !wall && dual.iter().all(|&t| is_inner(t))).collect())
 }
 
@@ -48,33 +48,6 @@ fn walls(view: DiagramView<'_>, mask: &[bool], watch: Watch<'_>) -> Result<Vec<b
     }
     let both = |ends: &[i32; 2]| ends.iter().all(|&site| ringed[site as usize]);
     Ok(view.edges.iter().zip(mask).map(|(ends, &kept)| kept && both(ends)).collect())
-}
-
-/// For every triangle whether it is inside: from infinity on, sides change across walls.
-fn flood(view: DiagramView<'_>, wall: &[bool], watch: Watch<'_>) -> Result<Vec<bool>> {
-    let around = crate::incidence::Incidence::of(view.triangles.len(), view.dual_edges);
-    let mut inner = vec![false; view.triangles.len()];
-    let mut seen = inner.clone();
-    let mut open: Vec<usize> = Vec::new();
-    let mut enter = |t: i32, side: bool, open: &mut Vec<usize>, inner: &mut [bool]| {
-        if t != -1 && !std::mem::replace(&mut seen[t as usize], true) {
-            inner[t as usize] = side;
-            open.push(t as usize);
-        }
-    };
-    for (dual, &wall) in view.dual_edges.iter().zip(wall).filter(|(dual, _)| dual.contains(&-1)) {
-        dual.iter().for_each(|&t| enter(t, wall, &mut open, &mut inner));
-    }
-    let mut steps = 0;
-    while let Some(t) = open.pop() {
-        watch.poll_at(steps)?;
-        steps += 1;
-        for &k in around.at(t) {
-            let side = inner[t] ^ wall[k as usize];
-            view.dual_edges[k as usize].iter().for_each(|&next| enter(next, side, &mut open, &mut inner));
-        }
-    }
-    Ok(inner)
 }
 
 /// Arc residual of every dual edge: the shorter way along the line of the masked edges between its two sites, as a
