@@ -23,6 +23,7 @@ pub use periodic::{PeriodicDiagram, periodic};
 pub use sweep::check_apart;
 pub use tile::tile;
 pub use vertices::representatives;
+pub(crate) use vertices::shared;
 
 use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};
