@@ -41,6 +41,7 @@ mod _core {
     #[pymodule_export]
     use crate::skeleton::{
         axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
+        without_bumps,
     };
 
     /// Names the build, so that a debug build can be told from a release.

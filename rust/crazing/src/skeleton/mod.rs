@@ -2,11 +2,13 @@
 
 mod boxes;
 mod branches;
+mod bumps;
 mod cost;
 mod curve;
 mod far;
 mod flood;
 mod gabriel;
+mod gaps;
 mod local;
 mod longest;
 mod nearest;
@@ -25,7 +27,7 @@ pub use longest::longest;
 pub use nearest::nearest;
 pub use one_step::one_step;
 pub use poles::{Variant, poles, poles_axis};
-pub use rings::{inside, residuals};
+pub use rings::Rings;
 pub use second::{Second, second};
 
 use crate::diagram::{DiagramView, representatives};
