@@ -1,7 +1,7 @@
 //! What the rings of a crust say of the axis: which side it is on, and how much of the ring each part of it spans.
 
-use crate::diagram::{DiagramView, depths};
 use crate::diagram::scale::{Scale, largest};
+use crate::diagram::{DiagramView, depths};
 use crate::error::{Error, Result};
 use crate::graph::{Polylines, polylines};
 use crate::watch::Watch;
