@@ -61,7 +61,9 @@ fn tame(d: &Diagram) -> bool {
         (p[0] - q[0]).abs().max((p[1] - q[1]).abs())
     });
     // Vertices of subnormal data are rounded to few digits.
-    size > 1e-290 && spread.fold(f64::INFINITY, f64::min) > 1e-5 * size && largest(&d.vertices) < 1e5 * size
+    size > 1e-290
+        && spread.fold(f64::INFINITY, f64::min) > 1e-5 * size
+        && largest(&d.vertices) < (1e5 * size).min(f64::MAX)
 }
 
 #[test]
