@@ -212,7 +212,12 @@ impl Room {
             let place = if at < net.vertices.len() { net.vertices[at] } else { fence.anchors[at - net.vertices.len()] };
             let shift = fence.shifts.get(edge).map_or([0; 2], |s| [s[2 + 2 * side], s[3 + 2 * side]]);
             let apex = net.moved(place, shift);
-            let (u, v) = (apex[0] - a[0], apex[1] - a[1]);
+            let mut away = [apex[0] - a[0], apex[1] - a[1]];
+            if at < net.vertices.len() {
+                // A triangle between vertices may be about three edges: each has the third up to the middle.
+                away = [(away[0] + x) / 3.0, (away[1] + y) / 3.0];
+            }
+            let [u, v] = away;
             [(u * x + v * y) / length, (sign * (x * v - y * u) / length).max(0.0)]
         };
         Self { length, sides: [side(0, 1.0), side(1, -1.0)] }
