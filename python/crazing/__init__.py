@@ -9,6 +9,7 @@ from crazing.diagram import Diagram, diagram
 from crazing.edit import edit
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.files import save_png
+from crazing.fit import fit
 from crazing.graph import PlanarGraph
 from crazing.material import Material
 from crazing.maze import Maze, maze
@@ -17,8 +18,11 @@ from crazing.measure import measure
 from crazing.quad_edge import QuadEdge
 from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
+from crazing.rerun import rerun
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.statistics import CrackStatistics
+from crazing.streaming import write_texture
+from crazing.targets import Targets, targets
 from crazing.texture import Texture, TexturePlan, texture, texture_plan
 from crazing.versions import algorithm_version, show_versions
 
@@ -38,6 +42,7 @@ __all__ = [
     "Recipe",
     "Skeleton",
     "Style",
+    "Targets",
     "Texture",
     "TexturePlan",
     "__version__",
@@ -49,6 +54,7 @@ __all__ = [
     "curve",
     "diagram",
     "edit",
+    "fit",
     "maze",
     "measure",
     "medial_axis",
@@ -57,10 +63,13 @@ __all__ = [
     "preset",
     "presets",
     "render",
+    "rerun",
     "sample",
     "save_png",
     "show_versions",
     "steps",
+    "targets",
     "texture",
     "texture_plan",
+    "write_texture",
 ]

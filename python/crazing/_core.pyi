@@ -144,6 +144,11 @@ def render(
     threads: int,
     out: NDArray[np.uint8],
 ) -> None: ...
+def plates(
+    pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints],
+    bounds: _Bounds,
+    period: tuple[float, float] | None,
+) -> tuple[_Ints, _Floats, _Floats]: ...
 def encode_png(
     file: BinaryIO,
     pixels: NDArray[np.uint8],

@@ -55,7 +55,7 @@ mod _core {
         axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
     };
     #[pymodule_export]
-    use crate::texture::texture;
+    use crate::texture::{plates, texture};
     #[pymodule_export]
     use crate::tiff::tiff_tiles;
 

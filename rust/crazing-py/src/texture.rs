@@ -1,10 +1,10 @@
 //! Maps of a crack pattern into arrays that NumPy owns.
 
 use crazing::texture::{Maps, Material, Pattern, Sides, View, Window, texture as draw};
-use numpy::{Element, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArrayDyn};
+use numpy::{Element, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArrayDyn};
 use pyo3::prelude::*;
 
-use crate::arrays::rows;
+use crate::arrays::{rows, table};
 use crate::guard::detached;
 
 /// Vertices, edges, shifts, width, strand and generation of a crack.
@@ -48,6 +48,36 @@ fn slice<'a, T: Element>(map: &'a mut Given<'_, T>) -> PyResult<Option<&'a mut [
     map.as_mut().map(|map| map.as_slice_mut().map_err(PyErr::from)).transpose()
 }
 
+/// What [`SideArrays`] borrows, new.
+type NewSides<'py> = (Bound<'py, PyArray2<i32>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<f64>>);
+
+fn view<'a>(arrays: &'a PatternArrays<'_>) -> PyResult<Pattern<'a>> {
+    let (vertices, edges, shifts, widths, strand, generation) = arrays;
+    Ok(Pattern {
+        vertices: rows(vertices)?,
+        edges: rows(edges)?,
+        shifts: rows(shifts)?,
+        widths: rows(widths)?,
+        strand: strand.as_slice()?,
+        generation: generation.as_slice()?,
+    })
+}
+
+/// The plates beside the edges of a crack, as [`texture`] wants them.
+#[pyfunction]
+pub(crate) fn plates<'py>(
+    py: Python<'py>,
+    pattern: PatternArrays<'py>,
+    bounds: [f64; 4],
+    period: Option<[f64; 2]>,
+) -> PyResult<NewSides<'py>> {
+    let pattern = view(&pattern)?;
+    let found = detached(py, |watch| crazing::texture::plates(&pattern, bounds, period, watch))?;
+    let middles =
+        found.middles.into_iter().map(|middles| middles.as_flattened().try_into().unwrap_or([0.0; 8])).collect();
+    Ok((table(py, found.plates)?, table::<f64, 8>(py, middles)?, PyArray1::from_vec(py, found.reaches)))
+}
+
 /// Writes the maps in `out`, C-contiguous arrays by name, for a window (top, left, height, width) of a picture.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, reason = "the face passes them one by one")]
@@ -65,17 +95,9 @@ pub(crate) fn texture(
     out: &Bound<'_, PyAny>,
 ) -> PyResult<()> {
     let material = self::material(material)?;
-    let (vertices, edges, shifts, widths, strand, generation) = &pattern;
-    let pattern = Pattern {
-        vertices: rows(vertices)?,
-        edges: rows(edges)?,
-        shifts: rows(shifts)?,
-        widths: rows(widths)?,
-        strand: strand.as_slice()?,
-        generation: generation.as_slice()?,
-    };
-    let middles = rows::<f64, 4>(&sides.1)?;
-    let (middles, _) = middles.as_flattened().as_chunks::<2>().0.as_chunks::<2>();
+    let pattern = view(&pattern)?;
+    let middles = rows::<f64, 8>(&sides.1)?;
+    let middles = middles.as_flattened().as_chunks::<2>().0.as_chunks::<4>().0;
     let sides = Sides { plates: rows(&sides.0)?, middles, reaches: sides.2.as_slice()? };
     let view = View { bounds, height: size.0, width: size.1, period };
     let (top, left, height, width) = window;

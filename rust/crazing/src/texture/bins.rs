@@ -87,36 +87,41 @@ impl Bins {
         }
     }
 
-    /// The bin at a place.
-    pub(super) fn at(&self, x: i64, y: i64) -> [i64; 2] {
-        [(x - self.corner[0]).div_euclid(self.side * UNIT), (y - self.corner[1]).div_euclid(self.side * UNIT)]
+    /// The bins that a square of `side` pixels lies in: first column, first row, last column, last row.
+    pub(super) fn of(&self, corner: [i64; 2], side: i64) -> [i64; 4] {
+        let bin = |axis: usize, by: i64| (corner[axis] + by - self.corner[axis]).div_euclid(self.side * UNIT);
+        let last = side * UNIT - 1;
+        [bin(0, 0), bin(1, 0), bin(0, last), bin(1, last)]
     }
 
-    /// Whether the ring of bins that far around a bin lies wholly within the region.
-    pub(super) fn holds_ring(&self, bin: [i64; 2], ring: i64) -> bool {
-        let inside = |value: i64, count: i64| value - ring >= 0 && value + ring < count;
-        inside(bin[0], self.columns) && inside(bin[1], self.rows)
+    /// Whether the ring of bins that far around some bins lies wholly within the region.
+    pub(super) fn holds_ring(&self, of: [i64; 4], ring: i64) -> bool {
+        of[0] >= ring && of[1] >= ring && of[2] + ring < self.columns && of[3] + ring < self.rows
     }
 
     /// Whether any bin of the ring is in the region.
-    pub(super) fn meets_ring(&self, bin: [i64; 2], ring: i64) -> bool {
-        let outside = |value: i64, count: i64| value - ring < 0 && value + ring >= count;
-        !(outside(bin[0], self.columns) && outside(bin[1], self.rows))
+    pub(super) fn meets_ring(&self, of: [i64; 4], ring: i64) -> bool {
+        of[0] >= ring || of[1] >= ring || of[2] + ring < self.columns || of[3] + ring < self.rows
     }
 
-    /// Calls back with the pieces of every bin on the ring that far around a bin.
-    pub(super) fn ring(&self, bin: [i64; 2], ring: i64, mut call: impl FnMut(&[u32])) {
-        let [x, y] = bin;
-        for row in (y - ring).max(0)..=(y + ring).min(self.rows - 1) {
-            let whole = row == y - ring || row == y + ring;
-            let step = if whole || ring == 0 { 1 } else { 2 * ring };
-            let mut column = x - ring;
-            while column <= x + ring {
-                if (0..self.columns).contains(&column) {
-                    let bin = (row * self.columns + column) as usize;
-                    call(&self.pieces[self.starts[bin] as usize..self.starts[bin + 1] as usize]);
+    /// Calls back with the pieces of every bin on the ring that far around some bins; ring 0 is the bins themselves.
+    pub(super) fn ring(&self, of: [i64; 4], ring: i64, mut call: impl FnMut(&[u32])) {
+        let (left, right) = (of[0] - ring, of[2] + ring);
+        let (top, bottom) = (of[1] - ring, of[3] + ring);
+        for row in top.max(0)..=bottom.min(self.rows - 1) {
+            let mut stretch = |first: i64, last: i64| {
+                let (first, last) = (first.max(0), last.min(self.columns - 1));
+                if first <= last {
+                    // Bins of a row lie behind each other.
+                    let at = |column: i64| self.starts[(row * self.columns + column) as usize] as usize;
+                    call(&self.pieces[at(first)..at(last + 1)]);
                 }
-                column += step;
+            };
+            if ring == 0 || row == top || row == bottom {
+                stretch(left, right);
+            } else {
+                stretch(left, left);
+                stretch(right, right);
             }
         }
     }

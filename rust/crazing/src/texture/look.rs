@@ -19,7 +19,7 @@ pub(super) struct Look {
     crack: Light,
     dirt: Light,
     worn: Light,
-    tint: f32,
+    pub(super) tint: f32,
     mottle: f32,
     speckle: f32,
     dirt_amount: f32,

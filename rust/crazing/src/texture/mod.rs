@@ -5,8 +5,10 @@
 //! exact differences of places and on its nearest piece. So they are the same in every window, for every tile and
 //! number of threads, on every processor, and move with the pattern by whole pixels without a trace.
 
+mod bands;
 mod bins;
 mod coverage;
+mod faces;
 mod finish;
 mod grid;
 mod look;
@@ -20,6 +22,7 @@ mod profile;
 
 use std::sync::OnceLock;
 
+pub use faces::{Plates, plates};
 pub use grid::{View, Window};
 pub use maps::Maps;
 pub use material::{Material, Rgb};
@@ -30,12 +33,13 @@ use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};
 use crate::rng::Key;
 use crate::watch::Watch;
+use bands::Bands;
 use bins::Bins;
 use finish::{Part, Rows};
 use grid::{Grid, UNIT};
 use look::Look;
 use nearest::{Found, PAGE, Search, Set};
-use noise::Noise;
+use noise::{Ground, Noise};
 use piece::Piece;
 use plates::Plate;
 use profile::Profile;
@@ -82,6 +86,8 @@ struct Scene<'a> {
     grid: Grid,
     window: Window,
     near: Set,
+    /// What covers the mask, where it is wanted.
+    bands: Option<Bands>,
     /// All there is, made when the pieces near the window are not enough.
     far: OnceLock<Result<Set>>,
     profile: Profile,
@@ -98,6 +104,8 @@ struct Scene<'a> {
     /// Data units a pixel.
     data: f32,
     wants_spots: bool,
+    /// Whether plates are level and alike.
+    plain: bool,
     wants_profile: bool,
     wants_look: bool,
 }
@@ -121,6 +129,7 @@ pub fn texture(
     maps: Maps<'_>,
 ) -> Result<()> {
     pattern.check()?;
+    sides.check(pattern.edges.len())?;
     material.check()?;
     let grid = view.grid()?;
     let pixels = window.height.checked_mul(window.width).filter(|&pixels| pixels > 0);
@@ -165,22 +174,25 @@ impl<'a> Scene<'a> {
         let wants_look = maps.color.is_some() || maps.roughness.is_some() || maps.wear.is_some();
         let wants_labels =
             maps.cell.is_some() || maps.strand.is_some() || maps.generation.is_some() || maps.direction.is_some();
-        let octaves = |on: bool, kind: u64, pitch: f32, count: u64| -> Vec<Noise> {
-            let pitch = f64::from(pitch) * scale;
-            let one = |octave: u64| {
-                Noise::new(key, 16 * kind + octave, (pitch / (1 << octave) as f64).max(1.0), grid.period, pin)
-            };
-            if on && pitch > 0.0 { (0..count).map(one).collect() } else { Vec::new() }
+        let ground = Ground { key, period: grid.period, pin };
+        let octaves = |on: bool, kind: u64, pitch: f32, count: u64| {
+            if on { noise::octaves(ground, kind, f64::from(pitch) * scale, count) } else { Vec::new() }
         };
         let wants_grain = (wants_profile && material.grain != 0.0)
             || (wants_look && (material.speckle != 0.0 || material.roughness_spread != 0.0));
+        let near = near(&pattern, &grid, window, watch)?;
+        let bands = (wants_look || maps.mask.is_some()).then(|| {
+            let Window { top, left, height, width } = window;
+            Bands::new(&near.pieces, left, width, top, BAND, height.div_ceil(BAND))
+        });
         let plates = plates::plates(sides.reaches.len(), sides.reaches, key);
         Ok(Self {
             pattern,
             sides,
             grid,
             window,
-            near: near(&pattern, &grid, window, watch)?,
+            near,
+            bands,
             far: OnceLock::new(),
             profile: Profile::new(material, scale),
             look: Look::new(material, scale),
@@ -194,6 +206,7 @@ impl<'a> Scene<'a> {
             tilt: material.tilt,
             curl_spread: material.curl_spread,
             data: (1.0 / scale) as f32,
+            plain: [material.grain, material.level, material.tilt, material.curl * material.curl_spread] == [0.0; 4],
             wants_spots: wants_profile || wants_look || wants_labels,
             wants_profile,
             wants_look,
@@ -212,12 +225,14 @@ impl<'a> Scene<'a> {
         let corner = [self.window.left, self.window.top + (band * BAND) as i64];
         if let Some(mask) = &mut maps.mask {
             mask.fill(0);
-            self.ink(corner, height, mask);
+            for &id in self.bands.iter().flat_map(|bands| bands.of(band)) {
+                coverage::ink(&self.near.pieces[id as usize], corner, self.window.width, mask);
+            }
         }
         if maps.distance.is_none() && !self.wants_spots {
             return Ok(());
         }
-        let side = (self.near.bins.side as usize).min(PAGE);
+        let side = (2 * self.near.bins.side as usize).min(PAGE);
         for y in (0..height).step_by(side) {
             for x in (0..self.window.width).step_by(side) {
                 poll()?;
@@ -254,18 +269,6 @@ impl<'a> Scene<'a> {
         far.fill(set, part.corner, side);
         self.finish(set, &far.page, part, rows, maps);
         Ok(())
-    }
-
-    /// Writes the coverage of a band.
-    fn ink(&self, corner: [i64; 2], height: usize, mask: &mut [u8]) {
-        let [left, top] = corner.map(|pixel| pixel * UNIT);
-        let (right, bottom) = (left + self.window.width as i64 * UNIT, top + height as i64 * UNIT);
-        for piece in &self.near.pieces {
-            let [xmin, ymin, xmax, ymax] = piece.region();
-            if xmin < right && xmax > left && ymin < bottom && ymax > top {
-                coverage::ink(piece, corner, self.window.width, mask);
-            }
-        }
     }
 }
 

@@ -65,11 +65,12 @@ pub(super) struct Search {
     /// The last square for which a piece was looked at.
     stamps: Vec<u32>,
     stamp: u32,
-    /// Candidates of each level of squares: places in `near`.
-    lists: Vec<Vec<u32>>,
-    distances: Vec<f32>,
     near: Vec<Near>,
-    chosen: Vec<(u32, f32)>,
+    /// What was found in the bins: pieces and their distance from the middle.
+    found: Vec<(u32, f32)>,
+    /// The four lists of every level of squares.
+    levels: Vec<[Vec<u32>; 4]>,
+    distances: Vec<[f32; 4]>,
 }
 
 /// How the search over bins ended.
@@ -85,84 +86,75 @@ impl Search {
     /// Empty buffers.
     pub(super) fn new() -> Self {
         let page = Page { distance: vec![0.0; PAGE * PAGE], code: vec![0; PAGE * PAGE], ids: Vec::new() };
-        let (lists, distances, near, chosen) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { page, stamps: Vec::new(), stamp: 0, lists, distances, near, chosen }
+        let (near, found, levels, distances) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { page, stamps: Vec::new(), stamp: 0, near, found, levels, distances }
     }
 
     /// Finds the pieces that may be nearest in the square of `side` pixels whose top left pixel is given.
-    ///
-    /// The square must lie within one bin.
     pub(super) fn open(&mut self, set: &Set, corner: [i64; 2], side: usize) -> Found {
         let Set { pieces, bins, whole } = set;
         self.stamps.resize(pieces.len().max(self.stamps.len()), 0);
-        let [x, y] = corner.map(|pixel| pixel * UNIT + side as i64 * UNIT / 2);
-        let diagonal = diagonal(side);
-        let bin = bins.at(x, y);
         self.stamp += 1;
-        self.chosen.clear();
+        self.found.clear();
+        let corner = corner.map(|pixel| pixel * UNIT);
+        let [x, y] = corner.map(|part| part + side as i64 * UNIT / 2);
+        let of = bins.of(corner, side as i64);
         let (mut best, mut ring) = (f32::INFINITY, 0);
         loop {
-            bins.ring(bin, ring, |ids| {
+            bins.ring(of, ring, |ids| {
                 for &id in ids {
-                    if self.stamps[id as usize] != self.stamp {
-                        self.stamps[id as usize] = self.stamp;
+                    let stamp = &mut self.stamps[id as usize];
+                    if *stamp != self.stamp {
+                        *stamp = self.stamp;
                         let distance = pieces[id as usize].distance(x, y);
                         best = if distance < best { distance } else { best };
-                        self.chosen.push((id, distance));
+                        self.found.push((id, distance));
                     }
                 }
             });
-            // The square lies in one bin, so the bins looked at so far reach at least this far from its middle.
+            // The bins looked at so far reach at least this far from the middle.
             let reach = (ring * bins.side + side as i64 / 2) as f32;
-            if reach >= widened(best + diagonal) {
+            if reach >= widened(best + diagonal(side)) {
                 break;
             }
             ring += 1;
-            if !whole && !bins.holds_ring(bin, ring) {
+            if !whole && !bins.holds_ring(of, ring) {
                 return Found::TooFar;
             }
-            if !bins.meets_ring(bin, ring) {
+            if !bins.meets_ring(of, ring) {
                 break;
             }
         }
-        let limit = widened(best + diagonal);
-        self.chosen.retain(|&(_, distance)| distance <= limit);
-        self.chosen.sort_unstable_by_key(|&(id, _)| id);
-        Found::AtLeast(best - diagonal / 2.0)
+        let limit = widened(best + diagonal(side));
+        self.page.ids.clear();
+        self.page.ids.extend(self.found.iter().filter(|&&(_, distance)| distance <= limit).map(|&(id, _)| id));
+        self.page.ids.sort_unstable();
+        Found::AtLeast(best - diagonal(side) / 2.0)
     }
 
     /// Fills the page with the nearest pieces of the square that was opened last.
     pub(super) fn fill(&mut self, set: &Set, corner: [i64; 2], side: usize) {
         let pieces = &set.pieces;
         let [x, y] = corner.map(|pixel| pixel * UNIT);
-        self.page.ids.clear();
-        let fits = |&(id, _): &(u32, f32)| {
+        let fits = |&id: &u32| {
             let [a, b] = pieces[id as usize].start;
             (a - x).abs().max((b - y).abs()) < NEAR
         };
-        if !self.chosen.iter().all(fits) {
+        if !self.page.ids.iter().all(fits) {
             return self.fill_far(pieces, [x, y], side);
         }
         self.near.clear();
-        let mut list = std::mem::take(self.level(0));
-        list.clear();
-        for (place, &(id, _)) in self.chosen.iter().enumerate() {
-            let piece = &pieces[id as usize];
-            self.page.ids.push(id);
-            self.near.push(Near::new(piece, x, y));
-            list.push(place as u32);
-        }
-        self.lists[0] = list;
-        self.divide(0, [0, 0], side);
+        self.near.extend(self.page.ids.iter().map(|&id| Near::new(&pieces[id as usize], x, y)));
+        let list: Vec<u32> = (0..self.near.len() as u32).collect();
+        self.divide(&list, 0, [0, 0], side);
     }
 
     /// The same for candidates too far for the numbers of [`Near`]: every one for every pixel.
     fn fill_far(&mut self, pieces: &[Piece], corner: [i64; 2], side: usize) {
-        self.page.ids.extend(self.chosen.iter().map(|&(id, _)| id));
         for (row, column) in (0..side * side).map(|pixel| (pixel / side, pixel % side)) {
             let [x, y] = [(corner[0], column), (corner[1], row)].map(|(at, by)| at + by as i64 * UNIT + UNIT / 2);
             let (mut best, mut code) = (f32::INFINITY, 0);
-            for (place, &(id, _)) in (0..).zip(&self.chosen) {
+            for (place, &id) in (0..).zip(&self.page.ids) {
                 let piece = &pieces[id as usize];
                 let [dx, dy] = piece.from_start(x, y);
                 let foot = piece.foot(dx, dy);
@@ -175,48 +167,54 @@ impl Search {
         }
     }
 
-    fn level(&mut self, level: usize) -> &mut Vec<u32> {
-        if self.lists.len() <= level {
-            self.lists.resize_with(level + 1, Vec::new);
+    /// Solves a square with its candidates, in four parts where that spares work.
+    fn divide(&mut self, list: &[u32], level: usize, corner: [usize; 2], side: usize) {
+        if side == QUAD || list.len() <= SHORT {
+            for y in (0..side).step_by(QUAD) {
+                for x in (0..side).step_by(QUAD) {
+                    solve(&self.near, list, &mut self.page, [corner[0] + x, corner[1] + y]);
+                }
+            }
+            return;
         }
-        &mut self.lists[level]
+        if self.levels.len() <= level {
+            self.levels.resize_with(level + 1, Default::default);
+        }
+        let mut parts = std::mem::take(&mut self.levels[level]);
+        self.narrow(list, &mut parts, corner, side / 2);
+        for (part, list) in parts.iter().enumerate() {
+            self.divide(list, level + 1, [corner[0] + part % 2 * side / 2, corner[1] + part / 2 * side / 2], side / 2);
+        }
+        self.levels[level] = parts;
     }
 
-    /// Solves the square with the candidates of its level.
-    fn divide(&mut self, level: usize, corner: [usize; 2], side: usize) {
-        if side == QUAD {
-            return solve(&self.near, &self.lists[level], &mut self.page, corner);
-        }
-        let half = side / 2;
-        for [i, j] in [[0, 0], [1, 0], [0, 1], [1, 1]] {
-            let corner = [corner[0] + i * half, corner[1] + j * half];
-            self.narrow(level, corner, half);
-            self.divide(level + 1, corner, half);
-        }
-    }
-
-    /// Keeps those candidates that may be nearest somewhere in a smaller square.
-    fn narrow(&mut self, level: usize, corner: [usize; 2], side: usize) {
-        self.level(level + 1);
-        let (above, below) = self.lists.split_at_mut(level + 1);
-        let (list, kept) = (&above[level], &mut below[0]);
-        kept.clear();
-        if list.len() <= SHORT {
-            return kept.extend_from_slice(list);
-        }
-        let half = (side as i32 * UNIT as i32) / 2;
-        let [x, y] = corner.map(|pixel| pixel as i32 * UNIT as i32 + half);
+    /// For each of the four squares of `side` pixels at a corner, those candidates that may be nearest in it.
+    fn narrow(&mut self, list: &[u32], parts: &mut [Vec<u32>; 4], corner: [usize; 2], side: usize) {
+        let step = (side as i64 * UNIT) as i32;
+        let [x, y] = corner.map(|pixel| (pixel as i64 * UNIT) as i32 + step / 2);
+        let mut best = [f32::INFINITY; 4];
         self.distances.clear();
-        let mut best = f32::INFINITY;
         for &place in list {
-            let distance = self.near[place as usize].distance(x, y);
-            best = if distance < best { distance } else { best };
-            self.distances.push(distance);
+            let piece = &self.near[place as usize];
+            let (x, y) = (x - piece.start[0], y - piece.start[1]);
+            let (dx, dy) = ([x, x + step, x, x + step], [y, y, y + step, y + step]);
+            let mut distances = [0.0; 4];
+            for part in 0..4 {
+                distances[part] = piece.measure(dx[part] as f32 * PART, dy[part] as f32 * PART).0;
+                best[part] = if distances[part] < best[part] { distances[part] } else { best[part] };
+            }
+            self.distances.push(distances);
         }
-        let limit = widened(best + diagonal(side));
-        kept.extend(
-            list.iter().zip(&self.distances).filter(|&(_, &distance)| distance <= limit).map(|(&place, _)| place),
-        );
+        let limits = best.map(|best| widened(best + diagonal(side)));
+        for (part, kept) in parts.iter_mut().enumerate() {
+            kept.resize(list.len(), 0);
+            let mut count = 0;
+            for (&place, distances) in list.iter().zip(&self.distances) {
+                kept[count] = place;
+                count += usize::from(distances[part] <= limits[part]);
+            }
+            kept.truncate(count);
+        }
     }
 }
 
@@ -234,11 +232,6 @@ impl Near {
     fn new(piece: &Piece, x: i64, y: i64) -> Self {
         let Piece { start, along, length, radius, slope, lean, .. } = *piece;
         Self { start: [(start[0] - x) as i32, (start[1] - y) as i32], along, length, radius, slope, lean }
-    }
-
-    #[inline(always)]
-    fn distance(&self, x: i32, y: i32) -> f32 {
-        self.measure((x - self.start[0]) as f32 * PART, (y - self.start[1]) as f32 * PART).0
     }
 
     /// Signed distance, and to which side. The same sum as [`Piece::foot`], of which only this is wanted here.

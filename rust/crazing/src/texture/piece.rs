@@ -30,11 +30,13 @@ pub(super) struct Piece {
     pub(super) edge: u32,
     /// How much of the edge comes before the piece, pixels.
     pub(super) before: f32,
+    /// Whether it holds the first and the second end of its edge.
+    pub(super) ends: [bool; 2],
 }
 
 impl Piece {
     /// From one place to another.
-    fn new(start: [i64; 2], end: [i64; 2], radii: [f64; 2], edge: u32, before: f32) -> Self {
+    fn new(start: [i64; 2], end: [i64; 2], radii: [f64; 2], edge: u32, before: f32, ends: [bool; 2]) -> Self {
         let step = [0, 1].map(|axis| (end[axis] - start[axis]) as f64 / UNIT as f64);
         let length = (step[0] * step[0] + step[1] * step[1]).sqrt();
         let slope = (radii[1] - radii[0]) / length;
@@ -42,7 +44,7 @@ impl Piece {
             // One disc holds the other, or nearly so.
             let (start, radius) = if radii[0] >= radii[1] { (start, radii[0]) } else { (end, radii[1]) };
             let radius = radius as f32;
-            return Self { start, along: [1.0, 0.0], length: 0.0, radius, slope: 0.0, lean: 0.0, edge, before };
+            return Self { start, along: [1.0, 0.0], length: 0.0, radius, slope: 0.0, lean: 0.0, edge, before, ends };
         }
         Self {
             start,
@@ -53,6 +55,7 @@ impl Piece {
             lean: (slope / (1.0 - slope * slope).sqrt()) as f32,
             edge,
             before,
+            ends,
         }
     }
 
@@ -198,7 +201,7 @@ fn cut(ends: [[i64; 2]; 2], radii: [f64; 2], edge: u32, region: Region, found: &
     for k in first..last {
         let ((a, r), (b, s)) = (at(k), at(k + 1));
         let before = (length * (k as f64 / count)) as f32;
-        found.push(Piece::new(a, b, [r, s], edge, before));
+        found.push(Piece::new(a, b, [r, s], edge, before, [k == 0, k + 1 == count as i64]));
     }
     Ok(())
 }

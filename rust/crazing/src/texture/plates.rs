@@ -1,16 +1,30 @@
 //! The plates between the cracks, and how each differs from the others.
 
+use crate::error::{Error, Result};
+use crate::graph::check_indices;
 use crate::rng::{Key, block, open_unit, stream};
 
 /// What lies on either side of every edge.
 #[derive(Debug, Clone, Copy)]
 pub struct Sides<'a> {
-    /// The plates to the left and to the right of each edge, from its first end to its second.
-    pub plates: &'a [[i32; 2]],
+    /// The plates to the left and to the right of each edge, and behind its first and its second end.
+    pub plates: &'a [[i32; 4]],
     /// From the first end of each edge to the middles of these plates, data units.
-    pub middles: &'a [[[f64; 2]; 2]],
+    pub middles: &'a [[[f64; 2]; 4]],
     /// The farthest corner of each plate from its middle, data units.
     pub reaches: &'a [f64],
+}
+
+impl Sides<'_> {
+    /// Refuses tables that do not fit the edges.
+    pub(super) fn check(&self, wanted: usize) -> Result<()> {
+        for (array, found) in [("plates", self.plates.len()), ("middles", self.middles.len())] {
+            if found != wanted {
+                return Err(Error::BadLength { array, found, wanted });
+            }
+        }
+        check_indices("plates", self.plates, 0, self.reaches.len())
+    }
 }
 
 /// How one plate differs.

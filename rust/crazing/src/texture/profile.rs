@@ -16,6 +16,8 @@ pub(super) struct Profile {
     curl_rate: f32,
     /// 1 over the radius of the widest crack.
     widest: f32,
+    /// Nothing is raised or lowered farther from the crack than this; chips included.
+    pub(super) reach: f32,
     /// Pixels a unit of height.
     pub(super) relief: f32,
     rim_width: f32,
@@ -27,12 +29,15 @@ pub(super) struct Height {
     pub(super) height: f32,
     pub(super) by_distance: f32,
     pub(super) by_radius: f32,
+    /// How it changes with the plate's own height.
+    pub(super) by_plate: f32,
 }
 
 impl Profile {
     /// Scales a material to pixels.
     pub(super) fn new(material: &Material, scale: f64) -> Self {
         let pixels = |length: f32| (f64::from(length) * scale) as f32;
+        let reach = |width: f32, amount: f32| if amount == 0.0 { 0.0 } else { width };
         let rate = |length: f32| if length > 0.0 { 1.0 / pixels(length) } else { 0.0 };
         let (rim_width, curl_width) = (pixels(material.rim_width), pixels(material.curl_width));
         // Plates curl up or down; the highest place of all is at height 1.
@@ -46,6 +51,7 @@ impl Profile {
             curl: if curl_width > 0.0 { material.curl } else { 0.0 },
             curl_rate: rate(material.curl_width),
             widest: 2.0 * rate(material.widest),
+            reach: reach(rim_width, material.rim).max(reach(curl_width, material.curl)) + pixels(material.chip),
             relief: pixels(material.relief),
             rim_width,
         }
@@ -60,7 +66,7 @@ impl Profile {
                 (rest(distance * self.rim_rate, self.rim_rate), rest(distance * self.curl_rate, self.curl_rate));
             let height = level - self.rim * a * a + curl * b * b;
             let by_distance = 2.0 * (self.rim * a * self.rim_rate - curl * b * self.curl_rate);
-            return Height { height, by_distance, by_radius: 0.0 };
+            return Height { height, by_distance, by_radius: 0.0, by_plate: 1.0 };
         }
         let edge = level - self.rim + curl;
         let (share, by_share) = root_of_share(radius * self.widest);
@@ -73,7 +79,7 @@ impl Profile {
         let by_u = (1.0 - self.roundness) + 4.0 * self.roundness * rest_cubed;
         let fall = bottom - edge;
         let by_radius = -self.depth * by_share * self.widest * wall - fall * by_u * u / radius;
-        Height { height: edge + fall * wall, by_distance: -fall * by_u / radius, by_radius }
+        Height { height: edge + fall * wall, by_distance: -fall * by_u / radius, by_radius, by_plate: 1.0 - wall }
     }
 
     /// The part of the sky that is seen from a place: that of the middle between two long straight rims.
