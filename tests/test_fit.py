@@ -33,7 +33,7 @@ def test_search_stops_at_its_time_and_in_a_broken_generation() -> None:
     minimize(bowl, [0.5] * 3, [0.3] * 3, budget=10**9, seconds=0.0, rng=1, progress=lambda n, _: calls.append(n))
     assert calls == [1]
     # 20 is a generation and a quarter.
-    assert len(minimize(bowl, [0.5] * 3, [0.3] * 3, budget=20, rng=1)) == 3
+    assert len(minimize(bowl, [0.5] * 3, [0.3] * 3, budget=20, rng=1)) == 6
 
 
 @pytest.mark.parametrize(("n", "opening"), [(120, 0.4), (260, 0.75), (150, 1.0)])
