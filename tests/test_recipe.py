@@ -43,7 +43,10 @@ def test_toml_there_and_back(tmp_path_factory, title: str, opening: float, n: in
 
 
 FAULTS = {
-    "[recipe]\nopning = 1": (ValueError, r"mine.toml: \[recipe\] has no key 'opning'; it may have generator, n, sampler"),
+    "[recipe]\nopning = 1": (
+        ValueError,
+        r"mine.toml: \[recipe\] has no key 'opning'; it may have generator, n, sampler",
+    ),
     "[recipe]\nopening = 2": (ValueError, r"mine.toml: opening is 2.0; a finite number from 0 to 1"),
     "[recipe]\nopening = nan": (ValueError, r"mine.toml: opening is nan"),
     "[recipe]\nopening = 'all'": (TypeError, r"mine.toml: opening is 'all'; a real number"),
