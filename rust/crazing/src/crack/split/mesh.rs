@@ -50,7 +50,7 @@ impl Mesh {
     pub(super) fn of_walls(walls: &Walls, sites: usize) -> Self {
         let net = walls.net.view();
         let first = walls.fence.anchors.len() + net.vertices.len() - sites;
-        let found = strands(net, &pairs(net), &[]);
+        let found = strands(net, &pairs(net, std::f64::consts::PI), &[]);
         let mut around: Vec<Vec<(f64, u32)>> = vec![Vec::new(); sites];
         let mut edges = Vec::new();
         for (k, (&ends, kite)) in net.edges.iter().zip(&walls.fence.kites).enumerate() {
