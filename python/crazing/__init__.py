@@ -5,20 +5,26 @@ from crazing._core import __version__
 from crazing.centerline import centerline
 from crazing.compare import Comparison, compare
 from crazing.crack import Crack
-from crazing.diagram import Diagram, QuadEdge, diagram
+from crazing.diagram import Diagram, diagram
 from crazing.edit import edit
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
 from crazing.files import save_png
+from crazing.fit import fit
 from crazing.graph import PlanarGraph
 from crazing.material import Material
-from crazing.maze import Maze, MazeStatistics, maze
+from crazing.maze import Maze, maze
+from crazing.maze_statistics import MazeStatistics
 from crazing.measure import measure
 from crazing.preview import preview
+from crazing.quad_edge import QuadEdge
 from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
+from crazing.rerun import rerun
 from crazing.shade import shade
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.statistics import CrackStatistics
+from crazing.streaming import write_texture
+from crazing.targets import Targets, targets
 from crazing.texture import Texture, TexturePlan, texture, texture_plan
 from crazing.versions import algorithm_version, show_versions
 
@@ -38,6 +44,7 @@ __all__ = [
     "Recipe",
     "Skeleton",
     "Style",
+    "Targets",
     "Texture",
     "TexturePlan",
     "__version__",
@@ -49,6 +56,7 @@ __all__ = [
     "curve",
     "diagram",
     "edit",
+    "fit",
     "maze",
     "measure",
     "medial_axis",
@@ -58,11 +66,14 @@ __all__ = [
     "presets",
     "preview",
     "render",
+    "rerun",
     "sample",
     "save_png",
     "shade",
     "show_versions",
     "steps",
+    "targets",
     "texture",
     "texture_plan",
+    "write_texture",
 ]

@@ -151,7 +151,7 @@ def _pixels(image: ArrayLike) -> NDArray[Any]:
 
 
 def sample_bytes(pixels: NDArray[Any]) -> NDArray[np.uint8]:
-    """(H, W, C) numbers as C-contiguous (H, W, C * itemsize) bytes, little-endian; no copy where they are so already."""
+    """(H, W, C) numbers as C-contiguous (H, W, C * itemsize) bytes, little-endian."""
     return np.ascontiguousarray(pixels, dtype=pixels.dtype.newbyteorder("<")).view(np.uint8)
 
 

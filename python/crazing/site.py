@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -64,7 +64,14 @@ class Site:
         r, box = self.recipe, self.bounds
         where = {"bounds": box} if self.period is None else {"period": self.period}
         if r.generator == "impact":
-            drawing = steps.impact(r.n, source=self.centre(box)[0], speed=r.speed, arcs=r.arcs, rng=seed, **where)
+            (x, y), _ = self.centre(box)
+            drawing = steps.impact(r.n, source=(x, y), speed=r.speed, arcs=r.arcs, rng=seed, **where)
+            # On a torus the cracks keep to the period about the source; in the plane there is room all about.
+            wide, high = box[2] - box[0], box[3] - box[1]
+            room = (x - wide / 2, y - high / 2, x + wide / 2, y + high / 2)
+            if self.period is None:
+                room = (box[0] - wide, box[1] - high, box[2] + wide, box[3] + high)
+            drawing = replace(drawing, fence=steps.fenced(drawing.net, room))
         else:
             drawing = steps.split(
                 r.n,
@@ -72,7 +79,7 @@ class Site:
                 bend=r.bend,
                 anisotropy=r.anisotropy,
                 angle=r.angle,
-                density=None if self._is_even else (self._pixels(Frame.of(box, 1.0, 0.0, False)), box),
+                density=None if self._is_even else (self._pixels(Frame.of(box, 1.0, 0.0)), box),
                 rng=seed,
                 **where,
             )
@@ -86,7 +93,7 @@ class Site:
             return self._stretched(points, seed)
         if points is None:
             assert self.bounds is not None
-            points = self._plates(Frame.of(self.bounds, 1.0, 0.0, False), seed)
+            points = self._plates(Frame.of(self.bounds, 1.0, 0.0), seed)
         elif r.relax:
             points = self._relaxed(points)
         diagram = as_tiling(points, self.period)
@@ -107,9 +114,9 @@ class Site:
         r = self.recipe
         if self.bounds is None:
             raise ValueError("anisotropy with points of one's own needs bounds")
-        if self.period is not None and r.angle % 90:
-            raise ValueError(f"angle is {r.angle}; on a torus a multiple of 90 is wanted")
-        frame = Frame.of(self.bounds, r.anisotropy, r.angle, self.period is not None)
+        # A period that is turned by anything but quarters is none.
+        angle = r.angle if self.period is None else 90.0 * round(r.angle / 90)
+        frame = Frame.of(self.bounds, r.anisotropy, angle)
         if points is None:
             inner = self._plates(frame, seed)
         else:
@@ -203,7 +210,7 @@ class Frame:
     centre: NDArray[np.float64]
 
     @classmethod
-    def of(cls, bounds: _Bounds, anisotropy: float, angle: float, on_torus: bool) -> Frame:
+    def of(cls, bounds: _Bounds, anisotropy: float, angle: float) -> Frame:
         """The frame of an anisotropy along an angle in degrees."""
         if anisotropy == 1:
             return cls(bounds, bounds, np.eye(2), np.zeros(2))

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from crazing import _core, arguments
+from crazing import _core, arguments, provenance
 from crazing import rng as _rng
 from crazing.material import Material, preset_material
+from crazing.pictures import output
+from crazing.pictures.samples import sources
 from crazing.render import MAX_PIXELS
 from crazing.shade import shade
 
@@ -81,6 +85,11 @@ class TexturePlan:
         xmin, ymin, xmax, ymax = self.bounds
         return min(self.size[1] / (xmax - xmin), self.size[0] / (ymax - ymin))
 
+    @property
+    def relief(self) -> float:
+        """What the range of heights from 0 to 1 is, data units."""
+        return float(self._scaled["relief"])
+
     def window(self, top: int, left: int, height: int, width: int) -> dict[str, NDArray[Any]]:
         """Draw a part of the texture, bit for bit as the whole has it.
 
@@ -143,6 +152,8 @@ class Texture(Mapping[str, NDArray[Any]]):
         What the range of heights from 0 to 1 is, data units.
     seed : int
         Seed of grain, patches and the differences between plates.
+    crack : Crack
+        The pattern.
     """
 
     maps: dict[str, NDArray[Any]]
@@ -153,6 +164,7 @@ class Texture(Mapping[str, NDArray[Any]]):
     material: Material
     relief: float
     seed: int
+    crack: Any
 
     def __post_init__(self) -> None:
         for array in self.maps.values():
@@ -184,6 +196,62 @@ class Texture(Mapping[str, NDArray[Any]]):
 
     def __repr__(self) -> str:
         return f"Texture({self.size[0]} x {self.size[1]}: {', '.join(self.maps)})"
+
+    def save(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        maps: str | Iterable[str] | None = None,
+        format: str | None = None,
+        layout: str = "plain",
+        name: str = "texture",
+        metres: float = 1.0,
+        origin: Mapping[str, Any] | None = None,
+    ) -> tuple[Path, ...]:
+        """Write maps into files, each whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path-like
+            A file for one map: its ending is ``.png``, ``.tif``, ``.exr`` or ``.zarr``. Else a folder for several,
+            which also gets a MaterialX file, and glTF with PNG, when there is colour.
+        maps : str or sequence of str, optional
+            Which maps; all that there are by default. ``"normal_gl"``, ``"normal_dx"`` and ``"orm"`` are as for
+            :func:`crazing.write_texture`.
+        format, layout, name, metres, origin
+            As for :func:`crazing.write_texture`.
+
+        Returns
+        -------
+        tuple of Path
+            The files.
+
+        Raises
+        ------
+        TypeError, ValueError
+            For arguments of the wrong kind or range, a map that was not drawn, or several maps for one file.
+        CrazingError
+            When a label is too large for PNG.
+        ImportError
+            When a format needs a package that is not installed.
+        OSError
+            When a file cannot be written.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> t = cz.texture(cz.crack(n=50, rng=1), 64, maps=["color", "normal"])
+        >>> [path.name for path in t.save("glaze", layout="polyhaven", name="glaze")[:2]]
+        ['glaze_diff_64.png', 'glaze_nor_gl_64.png']
+        """
+        wanted = output.Wanted(tuple(self.maps) if maps is None else output.words(maps), format, layout, name, metres)
+        for source in sources(output.pictures_of(path, wanted)):
+            arguments.choice(source, "a map to be saved", self.maps)
+        shown = output.shown_by(self, provenance.of_crack(self.crack) if origin is None else origin)
+        drawn = self.maps
+        return output.write(
+            path, wanted, shown, lambda top, rows: {name: array[top : top + rows] for name, array in drawn.items()}
+        )
 
 
 def texture_plan(
@@ -305,8 +373,8 @@ def texture(
     """
     plan = texture_plan(crack, size, maps=maps, material=material, bounds=bounds, threads=threads, seed=seed)
     drawn = plan.window(0, 0, *plan.size)
-    relief = plan._scaled["relief"]
-    return Texture(drawn, plan.size, plan.bounds, plan.period, plan.scale, plan.material, relief, plan.seed)
+    shown = (plan.size, plan.bounds, plan.period, plan.scale, plan.material, plan.relief, plan.seed)
+    return Texture(drawn, *shown, crack)
 
 
 def _names(maps: Any) -> tuple[str, ...]:

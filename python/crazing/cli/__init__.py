@@ -14,7 +14,11 @@ from crazing.cli.failures import Program
 COMMANDS = (
     "compare",
     "edit",
+    "fit",
     "maze",
+    "measure",
+    "presets",
+    "rerun",
     "texture",
 )
 

@@ -17,7 +17,7 @@ from crazing.files import atomic_write
 STANDARD = "-"
 
 
-def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
+def checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
     """Refuses, before any work is done, a place that could not take the picture."""
     if value == STANDARD:
         if sys.stdout.isatty():
@@ -36,7 +36,7 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
 def output_option(function: Callable[..., Any]) -> Callable[..., Any]:
     """Adds `-o` to a command that makes a PNG."""
     words = "Where to write the picture, a PNG; - is standard output."
-    return click.option("-o", "--output", required=True, metavar="FILE", callback=_checked, help=words)(function)
+    return click.option("-o", "--output", required=True, metavar="FILE", callback=checked, help=words)(function)
 
 
 @contextlib.contextmanager

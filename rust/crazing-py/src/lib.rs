@@ -29,19 +29,21 @@ mod _core {
         crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
     };
     #[pymodule_export]
-    use crate::diagram::{diagram, dual_edges, onext, periodic_diagram, representatives, tile};
+    use crate::diagram::{
+        constrained_diagram, depths, diagram, dual_edges, onext, periodic_diagram, representatives, tile,
+    };
     #[pymodule_export]
     use crate::graph::{graph_compact, graph_components, graph_degrees, graph_polylines};
     #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]
-    use crate::maze::{carve, distances, longest, solve};
+    use crate::maze::{carve, distances, longest, solve, voronoi_doors};
     #[pymodule_export]
     use crate::measure::{stamp, statistics, thin, trace};
     #[pymodule_export]
     use crate::png::{encode_png, png_head, png_rows, png_tail};
     #[pymodule_export]
-    use crate::region::{dual_edges_within, region_contains};
+    use crate::region::{region_cells, region_contains, region_doors, region_rings, region_route};
     #[pymodule_export]
     use crate::render::render;
     #[pymodule_export]
@@ -51,6 +53,7 @@ mod _core {
     #[pymodule_export]
     use crate::skeleton::{
         axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
+        without_bumps,
     };
     #[pymodule_export]
     use crate::texture::{plates, texture};

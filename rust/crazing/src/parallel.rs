@@ -5,6 +5,8 @@ use rayon::slice::ParallelSliceMut;
 
 /// Fewer items than this are not worth waking threads for.
 const WORTHWHILE: usize = 1 << 15;
+/// Items that one of long work counts for.
+const LONG: usize = 1 << 8;
 
 /// Runs `many` in a pool of all cores, or `one` when there is little to do or no pool can be had.
 fn choose<T: Send, A: Send>(len: usize, arg: A, one: impl FnOnce(A) -> T, many: impl FnOnce(A) -> T + Send) -> T {
@@ -38,14 +40,15 @@ pub(crate) fn map<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> 
     )
 }
 
-/// `f` of `0..len`, in order, where every call is worth a thread.
+/// The same where each item is long work.
+pub(crate) fn map_slow<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    choose(len.saturating_mul(LONG), &f, |f| (0..len).map(f).collect(), |f| (0..len).into_par_iter().map(f).collect())
+}
+
+/// The same where every single item is worth a thread.
 pub(crate) fn several<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
-    match rayon::ThreadPoolBuilder::new().build() {
-        Ok(pool) if len > 1 && pool.current_num_threads() > 1 => {
-            pool.install(|| (0..len).into_par_iter().map(f).collect())
-        }
-        _ => (0..len).map(f).collect(),
-    }
+    let worth = if len > 1 { WORTHWHILE } else { 0 };
+    choose(worth, &f, |f| (0..len).map(f).collect(), |f| (0..len).into_par_iter().map(f).collect())
 }
 
 /// `f` of each of `0..len`, in any order.

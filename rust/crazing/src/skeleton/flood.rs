@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::ops::ControlFlow::{self, Break, Continue};
 
 use super::disc::{Disc, Place};
-use super::far::near;
+use super::far::{FAR, near};
 use super::links::{Links, NONE, after, before, side};
 use crate::diagram::DiagramView;
 use crate::diagram::scale::{Scale, largest};
@@ -27,26 +27,32 @@ pub(super) struct Cells<'a> {
     pub(super) sites: Cow<'a, [Point]>,
     pub(super) vertices: Cow<'a, [Point]>,
     links: Links,
+    /// Whether no vertex had to be moved: only then are cells convex.
+    convex: bool,
 }
 
 impl<'a> Cells<'a> {
     pub(super) fn of(view: DiagramView<'a>) -> Self {
         let scale = Scale::of(largest(view.sites));
-        let (sites, vertices) = if scale.is_one() && largest(view.vertices) < 1e30 {
+        let farthest = largest(view.vertices);
+        let (sites, vertices) = if scale.is_one() && farthest < 1e30 {
             (Cow::Borrowed(view.sites), Cow::Borrowed(view.vertices))
         } else {
-            let close = |&v: &Point| near(scale.down(v));
-            (view.sites.iter().map(|&p| scale.down(p)).collect(), view.vertices.iter().map(close).collect())
+            (scale.all_down(view.sites), view.vertices.iter().map(|&v| near(scale.down(v))).collect())
         };
-        Self { view, sites, vertices, links: Links::of(view) }
+        let convex = farthest < f64::MAX && scale.down([farthest; 2])[0] <= FAR;
+        Self { view, sites, vertices, links: Links::of(view), convex }
     }
 
     /// The first vertex or site met for which `inside` holds, on a walk through the cells that `disc` meets; the cells
     /// of the two sites of edge `k` must be among them. Neither these sites nor the ends of its dual are looked at.
     ///
     /// Gives up after `MOST` cells, or eight times as many vertices: a cell with very many neighbours, asked about by
-    /// each of them, would make the whole quadratic.
+    /// each of them, would make the whole quadratic. Gives up at once where vertices had to be moved.
     pub(super) fn find<const MOST: usize>(&self, k: usize, disc: Disc, inside: impl Fn(Point) -> bool) -> Found {
+        if !self.convex {
+            return Found::TooMany;
+        }
         let ([from, to], [right, left]) = (self.view.edges[k], self.view.dual_edges[k]);
         let Some(first) = side(self.view, left, from).or_else(|| side(self.view, right, to)) else {
             return Found::Nothing;
@@ -100,24 +106,67 @@ struct Walk<'w, const MOST: usize, F> {
 }
 
 impl<const MOST: usize, F: Fn(Point) -> bool> Walk<'_, MOST, F> {
-    /// Once about a cell, from the triangle of a side that begins at its site; the edge back to it is where the walk
-    /// came from. A cell of the hull is open: then both ways from there.
+    /// About the cell of the site that a side begins at, entered through the dual of that side: from both ends of it
+    /// until what lies between the two is clear of the disc, as a cell is convex.
     fn ring(&mut self, start: u32) -> ControlFlow<Found> {
-        let first = self.disc.place(self.cells.vertex(start));
-        let (mut at, mut side) = (first, start);
+        let links = &self.cells.links;
+        let beside = links.across(start);
+        if beside == NONE || links.across(before(start)) == NONE {
+            return self.open(start);
+        }
+        let (mut left, mut right) = (start, after(beside));
+        let [mut from, mut to] = [left, right].map(|side| self.disc.place(self.cells.vertex(side)));
+        loop {
+            let counterclockwise = from.square <= to.square;
+            let across = links.across(if counterclockwise { before(left) } else { right });
+            if across == NONE {
+                return if counterclockwise {
+                    self.counterclockwise(from, left)?;
+                    self.clockwise(to, right)
+                } else {
+                    self.clockwise(to, right)?;
+                    self.counterclockwise(from, left)
+                };
+            }
+            if counterclockwise {
+                let back = before(left);
+                if across == right {
+                    return if self.disc.meets_segment(from, to) { self.enter(back) } else { Continue(()) };
+                }
+                from = self.step(from, across, back)?;
+                left = across;
+            } else {
+                right = after(across);
+                if right == left {
+                    return if self.disc.meets_segment(from, to) { self.enter(across) } else { Continue(()) };
+                }
+                to = self.step(to, right, across)?;
+            }
+            if self.disc.is_clear_of(from, to) {
+                return Continue(());
+            }
+        }
+    }
+
+    /// About a cell of the hull, both ways from a triangle.
+    fn open(&mut self, start: u32) -> ControlFlow<Found> {
+        let at = self.disc.place(self.cells.vertex(start));
+        self.counterclockwise(at, start)?;
+        self.clockwise(at, start)
+    }
+
+    fn counterclockwise(&mut self, mut at: Place, mut side: u32) -> ControlFlow<Found> {
         loop {
             let back = before(side);
             side = self.cells.links.across(back);
-            if side == start {
-                return Continue(());
-            }
             if side == NONE {
-                self.ray(at, back, back)?;
-                break;
+                return self.ray(at, back, back);
             }
             at = self.step(at, side, back)?;
         }
-        (at, side) = (first, start);
+    }
+
+    fn clockwise(&mut self, mut at: Place, mut side: u32) -> ControlFlow<Found> {
         loop {
             let across = self.cells.links.across(side);
             if across == NONE {

@@ -1,24 +1,36 @@
 //! Two-pass crust and edge filter without the second triangulation.
 //!
 //! An edge of the Delaunay triangulation of sites and Voronoi vertices is one with a circle through its ends that holds
-//! none of them: a question about one pencil of circles, independent of all others. Nearly always the smallest circle
-//! answers it with one look at the neighbourhood; only otherwise the interval of circles is narrowed, point by point.
+//! none of them: a question about one pencil of circles, independent of all others. Nearly always the first circle that
+//! suggests itself is empty, and a walk past some four vertices shows it; only otherwise the interval of circles is
+//! narrowed, point by point.
+//!
+//! # What is exact
+//! The Voronoi vertices are taken as they are in the diagram: rounded to doubles, coincident neighbours made one. For
+//! these points, as if they had been given, all is exact: whether one lies inside a circle is the sign of a polynomial,
+//! and so is which of two cuts lies farther (a filter with a bound on its error, then expansions). An edge is dropped
+//! when two cuts exclude each other, and kept when a circle is found that holds nothing. Between the two there is the
+//! tie: an interval shorter than 1e-9 half lengths of the edge, in which rounded vertices mean nothing, counts as kept.
+//! The one-step test, which is exact for the samples themselves, has the first word: no other edge is asked about.
 
 use super::boxes::Boxes;
 use super::disc::Disc;
 use super::flood::{Cells, Found};
 use super::one_step::{one_step, opposite};
 use super::pencil::Pencil;
-use crate::diagram::{DiagramView, curve_order, representatives};
+use crate::diagram::{DiagramView, curve_order};
 use crate::error::Result;
 use crate::graph::Point;
 use crate::parallel;
 
 /// Cuts before a pencil is judged by what is left: each at least halves the interval, so that nothing but a tie is.
 const CUTS: usize = 64;
-/// Cells that a walk may enter, for all edges and for few.
+/// Cells that a walk may enter, for all edges, for few and for very few.
 const NEAR: usize = 24;
-const WIDE: usize = 512;
+const LONG: usize = 128;
+const LONGEST: usize = 2048;
+/// Searches that are not worth sorting for.
+const FEW: usize = 100;
 
 /// Masks over the edges of a diagram.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -91,21 +103,36 @@ impl Edge {
         (ends[0] != ends[1]).then_some(Self { k, ends, across, is_crust: false })
     }
 
-    /// Whether the smallest of all circles through the ends is empty; None when that is too much to look at.
+    /// What is inside one circle that suggests itself.
     ///
     /// Both cells of the edge meet every circle of either pencil: the dual edge is a chord of it, or goes through its
-    /// centre. No site can be in the circle of a crust edge: its angles to both opposite corners are acute.
+    /// centre. No site can be in the circle of a crust edge: it is between the circumcircles of the triangles.
     #[inline]
-    fn is_plain(&self, cells: &Cells<'_>) -> Option<bool> {
+    fn glance(&self, cells: &Cells<'_>) -> Found {
         let pencil = Pencil::new(self.ends[0], self.ends[1]);
-        let inside = |v: Point| pencil.holds(0.0, v);
-        if self.across.into_iter().any(inside) {
-            return Some(false);
+        let tau = self.middle();
+        let inside = |v: Point| pencil.holds(tau, v);
+        match self.across.into_iter().find(|&v| inside(v)) {
+            Some(v) => Found::Inside(v),
+            None => cells.find::<NEAR>(self.k, pencil.disc(tau), inside),
         }
-        match cells.find::<NEAR>(self.k, pencil.disc(0.0), inside) {
-            Found::Nothing => Some(true),
-            Found::Inside(_) => Some(false),
-            Found::TooMany => None,
+    }
+
+    /// The smallest circle of all, if it does not hold the ends across, else the one in the middle of what they leave.
+    /// A dual edge has only the first: its sites are mirror images.
+    #[inline]
+    fn middle(&self) -> f64 {
+        let [p, q] = self.ends;
+        let apex = |v: Point| {
+            let (a, b) = ([p[0] - v[0], p[1] - v[1]], [q[0] - v[0], q[1] - v[1]]);
+            (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0])
+        };
+        let [(dot_low, cross_low), (dot_high, cross_high)] = self.across.map(apex);
+        let both_sides = self.is_crust && cross_low < 0.0 && cross_high > 0.0;
+        if both_sides && dot_low.min(dot_high) < 0.0 {
+            0.5 * (dot_low / cross_low + dot_high / cross_high)
+        } else {
+            0.0
         }
     }
 
@@ -123,42 +150,53 @@ impl Edge {
         pencil
     }
 
-    /// Whether some circle is empty, by walks among at most so many cells; None when they are more.
-    #[cold]
-    fn walk<const MOST: usize>(&self, cells: &Cells<'_>) -> Option<bool> {
-        leaves_some(self.pencil(cells), |disc, inside| match cells.find::<MOST>(self.k, disc, inside) {
+    /// Whether some of the circles that are left is empty, by walks among at most so many cells; None when they are
+    /// more.
+    fn walk<const MOST: usize>(&self, cells: &Cells<'_>, pencil: Pencil) -> Option<bool> {
+        leaves_some(pencil, |disc, inside| match cells.find::<MOST>(self.k, disc, inside) {
             Found::Nothing => Some(None),
             Found::Inside(v) => Some(Some(v)),
             Found::TooMany => None,
         })
     }
+
+    /// The first answer: None when the neighbourhood is too large for it.
+    fn decide(&self, cells: &Cells<'_>) -> Option<bool> {
+        match self.glance(cells) {
+            Found::Nothing => Some(true),
+            Found::Inside(v) => {
+                let mut pencil = self.pencil(cells);
+                pencil.cut(v);
+                self.walk::<NEAR>(cells, pencil)
+            }
+            Found::TooMany => None,
+        }
+    }
 }
 
-/// Whether the pencil of each row, where it has an edge, leaves a circle: by the smallest, by walks, by long walks as
-/// long as these are few, and by search.
+/// Whether the pencil of each row, where it has an edge, leaves a circle: by walks, by longer ones as long as these are
+/// few, and by search.
 fn decide(cells: &Cells<'_>, rows: usize, edge: impl Fn(usize) -> Option<Edge> + Sync) -> Vec<bool> {
-    let walked = parallel::map(rows, |k| {
-        let Some(edge) = edge(k) else { return Some(false) };
-        if edge.is_plain(cells)? { Some(true) } else { edge.walk::<NEAR>(cells) }
-    });
-    let mut hard: Vec<usize> = (0..rows).filter(|&k| walked[k].is_none()).collect();
-    let mut decided: Vec<bool> = walked.into_iter().map(|found| found == Some(true)).collect();
-    if hard.len() * WIDE <= rows {
-        hard.retain(|&k| {
-            let found = edge(k).map_or(Some(false), |edge| edge.walk::<WIDE>(cells));
-            decided[k] = found == Some(true);
-            found.is_none()
-        });
+    let first = parallel::map(rows, |k| edge(k).map_or(Some(false), |edge| edge.decide(cells)));
+    let mut hard: Vec<usize> = (0..rows).filter(|&k| first[k].is_none()).collect();
+    let mut decided: Vec<bool> = first.into_iter().map(|kept| kept == Some(true)).collect();
+    let again = |hard: &mut Vec<usize>, decided: &mut [bool], answer: &(dyn Fn(&Edge) -> Option<bool> + Sync)| {
+        let answers = parallel::map_slow(hard.len(), |i| edge(hard[i]).and_then(|edge| answer(&edge)));
+        hard.iter().zip(&answers).for_each(|(&k, &kept)| decided[k] = kept == Some(true));
+        let mut left = answers.iter().map(Option::is_none);
+        hard.retain(|_| left.next() == Some(true));
+    };
+    if hard.len() * LONG <= rows {
+        again(&mut hard, &mut decided, &|edge| edge.walk::<LONG>(cells, edge.pencil(cells)));
+    }
+    if hard.len() * LONGEST <= rows {
+        again(&mut hard, &mut decided, &|edge| edge.walk::<LONGEST>(cells, edge.pencil(cells)));
     }
     if !hard.is_empty() {
-        let places = Places::of(cells);
-        let searched = parallel::map(hard.len(), |i| {
-            let pencil = edge(hard[i])?.pencil(cells);
-            leaves_some(pencil, |disc, inside| Some(places.find(disc, inside)))
+        let places = Places::of(cells, hard.len() > FEW);
+        again(&mut hard, &mut decided, &|edge| {
+            leaves_some(edge.pencil(cells), |disc, inside| Some(places.find(disc, inside)))
         });
-        for (k, found) in hard.into_iter().zip(searched) {
-            decided[k] = found == Some(true);
-        }
     }
     decided
 }
@@ -182,7 +220,7 @@ fn leaves_some(
     Some(!pencil.is_empty())
 }
 
-/// Sites and distinct Voronoi vertices, boxed.
+/// Sites and Voronoi vertices, boxed.
 struct Places {
     /// Vertices among the sites, and those far from all of them: these would spoil the boxes of the others.
     near: Boxes,
@@ -191,16 +229,17 @@ struct Places {
 }
 
 impl Places {
-    fn of(cells: &Cells<'_>) -> Self {
+    /// For many questions the points are put in an order of their own: along a curve, vertices of neighbouring
+    /// triangles lie on both sides of it, far apart.
+    fn of(cells: &Cells<'_>, many: bool) -> Self {
         let [low, high] = frame(&cells.sites);
-        let representative = representatives(cells.view);
-        let distinct = (0..cells.vertices.len()).filter(|&t| representative[t] as usize == t);
         let inside = |v: &Point| (0..2).all(|axis| low[axis] <= v[axis] && v[axis] <= high[axis]);
-        let (near, far): (Vec<Point>, Vec<Point>) = distinct.map(|t| cells.vertices[t]).partition(inside);
-        // In an order of their own: along a curve, vertices of neighbouring triangles lie on both sides of it, far apart.
-        let boxes =
-            |points: &[Point]| Boxes::new(curve_order(points).into_iter().map(|row| points[row as usize]).collect());
-        Self { near: boxes(&near), far: boxes(&far), sites: boxes(&cells.sites) }
+        let (near, far): (Vec<Point>, Vec<Point>) = cells.vertices.iter().partition(|&v| inside(v));
+        let boxes = |points: Vec<Point>| {
+            let sorted = many.then(|| curve_order(&points).into_iter().map(|row| points[row as usize]).collect());
+            Boxes::new(sorted.unwrap_or(points))
+        };
+        Self { near: boxes(near), far: boxes(far), sites: boxes(cells.sites.to_vec()) }
     }
 
     fn find(&self, disc: Disc, wanted: &dyn Fn(Point) -> bool) -> Option<Point> {
