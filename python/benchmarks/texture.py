@@ -80,14 +80,16 @@ def skia(skia: ModuleType, drawing: Drawing, tapered: bool) -> Callable[[], obje
     paint = skia.Paint(AntiAlias=True, Color=skia.ColorBLACK, StrokeWidth=drawing.thickness, Style=style)
 
     def draw() -> object:
-        surface = skia.Surface(np.zeros((drawing.side, drawing.side, 4), dtype=np.uint8))
+        # The surface does not keep its pixels alive.
+        picture = np.zeros((drawing.side, drawing.side, 4), dtype=np.uint8)
+        surface = skia.Surface(picture)
         canvas = surface.getCanvas()
         for part in parts:
             if tapered:
                 canvas.drawPath(skia.Path.Polygon([skia.Point(*corner) for corner in part], True), paint)
             else:
                 canvas.drawLine(*part[0], *part[1], paint)
-        return surface
+        return picture
 
     return draw
 
