@@ -163,7 +163,9 @@ def index_chains(values: Any, name: str, *, limit: int) -> NDArray[np.int32]:
         array = np.asarray(values)
     except ValueError:
         array = None
-    if array is not None and (array.size == 0 or (array.ndim == 2 and array.shape[1] == 2) or array.dtype.kind not in "iuO"):
+    if array is not None and (
+        array.size == 0 or (array.ndim == 2 and array.shape[1] == 2) or array.dtype.kind not in "iuO"
+    ):
         return index_pairs(values, name, limit=limit)
     if not isinstance(values, Iterable) or np.ndim(next(iter(values))) != 1:
         raise ValueError(f"{name} is {_found(values)}; pairs of indices, or chains of them, are wanted")

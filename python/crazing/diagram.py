@@ -87,7 +87,9 @@ class Diagram(Record):
     @cached_property
     def quad_edge(self) -> QuadEdge:
         """The edge table seen through Guibas and Stolfi's operators."""
-        return QuadEdge(self, _core.onext(self.arrays, None if self.period is None else np.ascontiguousarray(self.shifts)))
+        return QuadEdge(
+            self, _core.onext(self.arrays, None if self.period is None else np.ascontiguousarray(self.shifts))
+        )
 
     @property
     def delaunay(self) -> PlanarGraph:
