@@ -158,7 +158,7 @@ def index_pairs(values: ArrayLike, name: str, *, limit: int) -> NDArray[np.int32
 
 
 def index_chains(values: Any, name: str, *, limit: int) -> NDArray[np.int32]:
-    """`values` as an (n, 2) int32 array of indices below `limit`: as it is, or neighbours in every one of its chains."""
+    """`values` as an (n, 2) int32 array of indices below `limit`: as it is, or neighbours in its chains."""
     try:
         array = np.asarray(values)
     except ValueError:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+import os
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from crazing import _core
+from crazing.arguments import number
 from crazing.graph import PlanarGraph
 from crazing.record import Record
 
@@ -23,10 +26,10 @@ class Crack(Record):
     width : (e, 2) float64
         Width at the two ends of each edge, data units; 0 at a free tip.
     strand : (e,) int32
-        The strand of each edge: a crack that runs through several edges. Of a maze strand 0 is the longest.
+        The strand of each edge: a crack that runs through several edges. Strand 0 is the oldest, of a maze the longest.
     generation : (e,) int32
         0 for a strand that abuts no older one, else one more than its parent's. Of two strands of a maze the longer is
-        the older; strands that split cells know their age.
+        the older; strands that split plates know their age.
     bounds : (xmin, ymin, xmax, ymax)
         What the pattern is clipped to, data units; on a torus one period.
     period : (width, height) or None
@@ -67,7 +70,121 @@ class Crack(Record):
             ends[:, 1] += self.shifts * np.asarray(self.period)
         return ends
 
+    @property
+    def arrivals(self) -> NDArray[np.float64]:
+        """(e, 2) float64, when the crack gets to both ends of every edge, 0 to 1.
+
+        Strands start one after the other, the oldest first, none before its parent is there; from the parent, or from
+        their middle, tips advance at one speed.
+        """
+        period = (0.0, 0.0) if self.period is None else self.period
+        shifts = self.shifts if self.period is not None else np.empty((0, 2), dtype=np.int8)
+        cut = np.zeros(len(self.graph.vertices), dtype=bool)
+        net = self.graph.vertices, self.graph.edges, np.ascontiguousarray(shifts), period, cut
+        return _core.crack_arrivals(net, np.ascontiguousarray(self.strand), np.ascontiguousarray(self.parent))
+
+    def at(self, age: float) -> Crack:
+        """The pattern while it grows: older strands first, tips advancing, and wider the older a place is.
+
+        Parameters
+        ----------
+        age : float
+            0, when there is nothing yet, to 1, the whole pattern.
+
+        Returns
+        -------
+        Crack
+            What is there at that age; edges on the way are cut where their tip is.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the age is no number from 0 to 1.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> c = cz.crack(preset="glaze", rng=1)
+        >>> [round(c.at(age).graph.length / c.graph.length, 1) for age in (0, 0.5, 1)]
+        [0.0, ..., 1.0]
+        >>> c.at(1) == c
+        True
+        """
+        age = number(age, "age", low=0, high=1)
+        if age == 1:
+            return self
+        when = self.arrivals
+        first = when.argmin(axis=1)
+        rows = np.flatnonzero(when.min(axis=1, initial=np.inf) < age)
+        edges, segments, when, first = self.graph.edges[rows].copy(), self.segments[rows], when[rows], first[rows]
+        width = self.width[rows] * _opened(when, age)
+        shifts = self.shifts[rows].copy()
+        growing = np.flatnonzero(when.max(axis=1, initial=-np.inf) > age)
+        start = first[growing]
+        here, there = segments[growing, start], segments[growing, 1 - start]
+        early, late = when[growing, start], when[growing, 1 - start]
+        part = (age - early) / (late - early)
+        tips = here + part[:, None] * (there - here)
+        edges[growing, 1 - start] = len(self.graph.vertices) + np.arange(len(growing))
+        # A tip is seen from the vertex its edge comes from: the second one of an edge may lie some periods away.
+        away = shifts[growing]
+        if self.period is not None:
+            tips -= np.where(start[:, None] == 1, away, 0) * np.asarray(self.period)
+            shifts[growing] = 0
+        width[growing, 1 - start] = 0
+        graph = PlanarGraph(np.concatenate([self.graph.vertices, tips]), edges).compact()
+        return replace(
+            self,
+            graph=graph,
+            width=width,
+            shifts=shifts,
+            **{name: getattr(self, name)[rows] for name in ("strand", "generation", "parent")},
+        )
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the pattern as a drawing, in data units; an existing file is replaced.
+
+        A pattern on a torus is drawn over one period: edges that leave it run on beyond its sides.
+
+        Parameters
+        ----------
+        path : str or path-like
+            Its ending decides the format. `.svg`: a group of outlines with the true widths, and a hidden one of
+            centrelines, a group in each for every generation. `.dxf` (needs ezdxf, the extra `cad`): polylines with
+            their widths, a layer for every generation. `.geojson`: a line for every strand, with the properties
+            strand, generation, parent (null for none), width (largest), widths (one a point).
+
+        Raises
+        ------
+        ValueError
+            If the ending is another.
+        OSError
+            If the file cannot be written; what stood there before is then untouched.
+        ImportError
+            If ezdxf is needed and not installed.
+
+        Examples
+        --------
+        >>> import json, os, tempfile
+        >>> import crazing as cz
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = os.path.join(folder, "crack.geojson")
+        ...     cz.crack(n=50, rng=1).save(path)
+        ...     with open(path) as file:
+        ...         sorted(json.load(file)["features"][0]["properties"])
+        ['generation', 'parent', 'strand', 'width', 'widths']
+        """
+        from crazing import vectors
+
+        vectors.save(self, path)
+
     def __repr__(self) -> str:
         strands = int(self.strand.max(initial=-1)) + 1
         period = "" if self.period is None else f", period {self.period}"
         return f"Crack({len(self.graph.edges)} edges, {strands} strands, bounds {self.bounds}{period})"
+
+
+def _opened(when: NDArray[np.float64], age: float) -> NDArray[np.float64]:
+    """The part of its width that a place has reached: it opens with the square root of its own age."""
+    rest = np.maximum(1 - when, 1e-9)
+    return np.asarray(np.sqrt(np.clip((age - when) / rest, 0, 1)))

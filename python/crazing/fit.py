@@ -55,9 +55,10 @@ _AXES = (
     _Axis("pull", 0, 1, 0.2),
     _Axis("slide", 0, 0.6, 0.2),
     _Axis("clamp", 0.05, 0.45, 0.2),
-    _Axis("roughness", 0, 0.1, 0.2),
-    _Axis("warp", 0, 0.1, 0.15),
-    _Axis("stretch", 1, 3, 0.15),
+    _Axis("turn", 20, 120, 0.2),
+    _Axis("roughness", 0, 0.12, 0.15),
+    _Axis("warp", 0, 0.3, 0.15),
+    _Axis("anisotropy", 1, 6, 0.08),
     _Axis("thickness", 0.01, 0.5, 0.1),
     _Axis("hierarchy", 0, 1.5, 0.2),
     _Axis("taper", 0, 1, 0.2),
@@ -184,7 +185,7 @@ def _guess(wanted: dict[str, tuple[float, float]], side: int) -> Recipe:
     opening = (by_ends + by_loops) / 2
     # All walls of n plates in a unit square measure 2 sqrt(n); an open door takes away one of about three a plate.
     root = wanted["intensity"][0] * side / 2 * 3 / (3 - opening)
-    values = {"n": max(round(root**2), 3), "opening": opening, "rounds": 3, "relax": 1, **_skew(wanted)}
+    values = {"n": max(round(root**2), 3), "opening": opening, "rounds": 3, "relax": 1, "turn": 50.0, **_skew(wanted)}
     if "width" in wanted:
         values["thickness"] = min(wanted["width"][0] / side * root, 0.5)
     return Recipe(**_typed(values))
@@ -193,7 +194,7 @@ def _guess(wanted: dict[str, tuple[float, float]], side: int) -> Recipe:
 def _skew(wanted: dict[str, tuple[float, float]]) -> dict[str, float]:
     """How far the pattern is drawn out, and which way."""
     order, direction = wanted["orientation"][0], wanted["direction"][0]
-    return {"stretch": 1 + 2 * order, "direction": direction}
+    return {"anisotropy": 1 + 2 * order, "angle": direction}
 
 
 def _typed(values: dict[str, float]) -> dict[str, Any]:

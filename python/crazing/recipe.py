@@ -38,6 +38,7 @@ _RANGES: dict[str, tuple[float, float]] = {
     "pull": (0, 1),
     "slide": (0, 1),
     "clamp": (0, 0.5),
+    "turn": (0, 180),
     "jitter": (0, 4),
     "bend": (0, 1),
     "speed": (1, 10_000),
@@ -95,6 +96,8 @@ class Recipe:
         The part of the way along the chord to where the abutting crack meets it at 90 degrees: more makes more T.
     clamp : float
         The part of the chord at both ends that sliding keeps out of.
+    turn : float
+        At a junction of a maze a crack goes on only where it turns by no more than so many degrees.
     jitter : float
         Splitting: standard deviation of the logarithm of the size by which the next plate is chosen.
     bend : float
@@ -157,6 +160,7 @@ class Recipe:
     pull: float = 0.64
     slide: float = 0.18
     clamp: float = 0.2
+    turn: float = 180.0
     jitter: float = 0.3
     bend: float = 1.0
     speed: float = 200.0
@@ -259,6 +263,8 @@ class Recipe:
         drawing, unit = site.maze(points, seed) if self.generator == "maze" else site.aged(seed)
         if self.rounds:
             drawing = steps.straighten(drawing, rounds=self.rounds, pull=self.pull, slide=self.slide, clamp=self.clamp)
+        if self.turn < 180 and self.generator == "maze":
+            drawing = steps.follow(drawing, turn=self.turn)
         # Every step draws its key, wanted or not: turning one off leaves the others as they are.
         seeds = [np.random.default_rng(_rng.key(seed)) for _ in range(3)]
         if self.warp and unit:

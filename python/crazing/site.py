@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -64,7 +64,14 @@ class Site:
         r, box = self.recipe, self.bounds
         where = {"bounds": box} if self.period is None else {"period": self.period}
         if r.generator == "impact":
-            drawing = steps.impact(r.n, source=self.centre(box)[0], speed=r.speed, arcs=r.arcs, rng=seed, **where)
+            (x, y), _ = self.centre(box)
+            drawing = steps.impact(r.n, source=(x, y), speed=r.speed, arcs=r.arcs, rng=seed, **where)
+            # On a torus the cracks keep to the period about the source; in the plane there is room all about.
+            wide, high = box[2] - box[0], box[3] - box[1]
+            room = (x - wide / 2, y - high / 2, x + wide / 2, y + high / 2)
+            if self.period is None:
+                room = (box[0] - wide, box[1] - high, box[2] + wide, box[3] + high)
+            drawing = replace(drawing, fence=steps.fenced(drawing.net, room))
         else:
             drawing = steps.split(
                 r.n,

@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 
 from crazing import _core, arguments
 from crazing.crack import Crack
+from crazing.diagram import diagram
 from crazing.graph import PlanarGraph
 from crazing.maze import Maze
 from crazing.record import Record
 from crazing.rng import RNG, key
 
-__all__ = ["Drawing", "impact", "roughen", "split", "straighten", "walls", "warp", "widen"]
+__all__ = ["Drawing", "draw", "follow", "impact", "roughen", "split", "straighten", "walls", "warp", "widen"]
 
 Bounds: TypeAlias = tuple[float, float, float, float]
 #: Vertices, edges, shifts, period, cut.
@@ -73,7 +74,7 @@ class Drawing(Record):
 
 
 def _paired(net: Net, fence: Fence, bounds: Bounds) -> Drawing:
-    return Drawing(*net, bounds, fence, _core.crack_pairs(net), np.empty(0, dtype=np.int32))
+    return Drawing(*net, bounds, fence, _core.crack_pairs(net, np.pi), np.empty(0, dtype=np.int32))
 
 
 def walls(maze: Maze) -> Drawing:
@@ -131,6 +132,78 @@ def stretched(maze: Maze, matrix: NDArray[np.float64], centre: NDArray[np.float6
     nobody = np.full(2 * len(edges), -1, dtype=np.int32)
     net, fence, _, _ = _core.crack_trim(net, fence, nobody, [], bounds)
     return _paired(net, fence, bounds)
+
+
+def draw(graph: PlanarGraph, *, bounds: Sequence[float] | None = None) -> Drawing:
+    """Any drawing of straight edges that do not cross, ready for the steps.
+
+    Parameters
+    ----------
+    graph : PlanarGraph
+        In the plane. Vertices at one place are merged, those without an edge left out.
+    bounds : (xmin, ymin, xmax, ymax), optional
+        Vertices on their sides stay there; the box around the edges, grown by a tenth, by default.
+
+    Returns
+    -------
+    Drawing
+        Its fence is the constrained Delaunay triangulation about the edges.
+
+    Raises
+    ------
+    CrazingError
+        If edges cross or overlap.
+    TypeError, ValueError
+        If the bounds are none.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> zigzag = cz.PlanarGraph([(0, 0), (1, 1), (2, 0), (3, 1)], [(0, 1), (1, 2), (2, 3)])
+    >>> straight = cz.steps.straighten(cz.steps.draw(zigzag), rounds=9)
+    >>> bool(abs(straight.vertices - zigzag.vertices).max() > 0.2)
+    True
+    """
+    small = graph.compact()
+    if bounds is None:
+        low, high = (np.min(small.vertices, axis=0), np.max(small.vertices, axis=0)) if len(small.edges) else (0, 1)
+        margin = 0.1 * (float(np.max(np.subtract(high, low))) or 1.0)
+        bounds = (*np.subtract(low, margin) * np.ones(2), *np.add(high, margin) * np.ones(2))
+    box = arguments.bounds_tuple(bounds)
+    places = diagram(small.vertices)
+    vertices, edges = places.sites, places.site_of[small.edges]
+    sides = np.reshape(box, (2, 2))
+    cut = (vertices == sides[0]).any(axis=1) | (vertices == sides[1]).any(axis=1)
+    net: Net = vertices, np.ascontiguousarray(edges), np.empty((0, 2), dtype=np.int8), (0.0, 0.0), cut
+    low, high = (
+        np.minimum(sides[0], vertices.min(axis=0, initial=np.inf)),
+        np.maximum(sides[1], vertices.max(axis=0, initial=-np.inf)),
+    )
+    return _paired(net, fenced(net, (*(1.5 * low - 0.5 * high), *(1.5 * high - 0.5 * low))), box)
+
+
+def fenced(net: Net, box: Sequence[float]) -> Fence:
+    """The triangles about edges that leave no period, in a box that holds them all."""
+    vertices, edges, shifts, _, _ = net
+    xmin, ymin, xmax, ymax = box
+    anchors = np.array([(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)])
+    d = diagram(np.concatenate([vertices, anchors]), constraints=edges)
+    # The corner of the triangle on either side of an edge that is no end of it.
+    ends, sides = d.edges.astype(np.int64), d.dual_edges
+    third = d.triangles.astype(np.int64)[sides].sum(axis=2) - ends.sum(axis=1)[:, None]
+    third[sides < 0] = -1
+    kites = np.column_stack([ends, third[:, ::-1]])
+    name = np.sort(ends, axis=1) @ (len(d.sites), 1)
+    order = np.argsort(name)
+    wanted = np.sort(edges.astype(np.int64), axis=1) @ (len(d.sites), 1)
+    rows = order[np.searchsorted(name[order], wanted)]
+    own = kites[rows]
+    turned = own[:, 0] != edges[:, 0]
+    own[turned] = own[turned][:, [1, 0, 3, 2]]
+    others = np.ones(len(kites), dtype=bool)
+    others[rows] = False
+    found = np.ascontiguousarray(np.concatenate([own, kites[others]]), dtype=np.int32)
+    return anchors, found, np.zeros((len(found) if len(shifts) else 0, 6), dtype=np.int8)
 
 
 def split(
@@ -271,6 +344,37 @@ def _box(bounds: Sequence[float], period: Sequence[float] | None) -> Bounds:
     if period is None:
         return arguments.bounds_tuple(bounds)
     return 0.0, 0.0, *arguments.period_pair(period)
+
+
+def follow(drawing: Drawing, *, turn: float = 60.0) -> Drawing:
+    """Follow the cracks anew: at a junction a crack goes on only where it turns by no more than an angle.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    turn : float
+        Degrees, 0 to 180.
+
+    Returns
+    -------
+    Drawing
+        The same edges; cracks have no age but their length.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the angle is out of range.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> plain = cz.steps.walls(cz.maze(cz.sample.uniform(50, rng=2), rng=2))
+    >>> bool((cz.steps.follow(plain, turn=20).partner == -1).sum() > (plain.partner == -1).sum())
+    True
+    """
+    sharpest = float(np.radians(arguments.number(turn, "turn", low=0, high=180)))
+    partner = _core.crack_pairs(drawing.net, sharpest)
+    return replace(drawing, partner=partner, age=np.empty(0, dtype=np.int32))
 
 
 def straighten(

@@ -34,7 +34,7 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
     type=click.Choice(["voronoi", "delaunay"]),
     default="voronoi",
     show_default=True,
-    help="What a cell is; within a shape voronoi only.",
+    help="What a cell is.",
 )
 @click.option(
     "--tree",

@@ -7,13 +7,14 @@ import zipfile
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from crazing import files
+from crazing.crack import Crack
 from crazing.edit.layers import Drawing, Layer
-from crazing.errors import CrazingError
 from crazing.extras import require
 from crazing.graph import PlanarGraph
 from crazing.render import Style, render
@@ -45,27 +46,30 @@ INKS = {
 HIDDEN = frozenset({"crust-first", "crust-second", "axis-first", "axis-second"})
 
 
-def shown(drawing: Drawing) -> list[Layer]:
-    """The layers that a file shows, bottom first."""
-    return [layer for layer in drawing.layers if layer.name not in HIDDEN]
+Box: TypeAlias = tuple[float, float, float, float]
 
 
-def frame(points: NDArray[np.float64]) -> tuple[float, float, float, float]:
-    """The box of the points grown by a tenth of its larger side; what a file of lines shows."""
-    if not len(points):
-        raise CrazingError("there is nothing to be written yet; add some points")
+def shown(drawing: Drawing, points: NDArray[np.float64]) -> list[Layer]:
+    """The layers that a file shows, bottom first, the points on top."""
+    lines = [layer for layer in drawing.layers if layer.name not in HIDDEN]
+    return [*lines, Layer("points", marks=points)] if len(points) else lines
+
+
+def frame(drawing: Drawing, points: NDArray[np.float64]) -> Box:
+    """What a file of lines shows: the bounds of a crack, else the box of the points grown by a tenth."""
+    if isinstance(drawing.subject, Crack):
+        return drawing.subject.bounds
     low, high = points.min(axis=0), points.max(axis=0)
     margin = 0.1 * (float((high - low).max()) or 1.0)
     return float(low[0] - margin), float(low[1] - margin), float(high[0] + margin), float(high[1] + margin)
 
 
-def png(layers: list[Layer], points: NDArray[np.float64], size: int) -> bytes:
+def png(layers: list[Layer], box: Box, size: int) -> bytes:
     """The layers over one another on white, the longer side `size` pixels."""
-    box = frame(points)
     height, width = shape(box, size)
     picture = np.full((height, width, 3), 255, dtype=np.uint8)
     line = max(box[2] - box[0], box[3] - box[1]) / size * max(1.0, size / 600)
-    for layer in [*layers, Layer("points", marks=points)]:
+    for layer in layers:
         # A mark is an edge without length: its round ends are a disc.
         graph, thick = (layer.graph, line) if layer.graph is not None else (_dots(layer.marks), 4 * line)
         style = Style(ink=INKS[layer.name], ground=None, width=thick)
@@ -73,7 +77,7 @@ def png(layers: list[Layer], points: NDArray[np.float64], size: int) -> bytes:
     return png_of(picture)
 
 
-def shape(box: tuple[float, float, float, float], size: int) -> tuple[int, int]:
+def shape(box: Box, size: int) -> tuple[int, int]:
     """(height, width) of a picture of a box, the longer side `size` pixels."""
     sides = box[3] - box[1], box[2] - box[0]
     height, width = (max(1, round(size * side / max(sides))) for side in sides)
@@ -98,14 +102,14 @@ def png_of(picture: NDArray[np.uint8]) -> bytes:
     return file.getvalue()
 
 
-def svg(layers: list[Layer], points: NDArray[np.float64]) -> bytes:
+def svg(layers: list[Layer], box: Box) -> bytes:
     """One group a layer. Coordinates are those of the points, y turned, to the last bit."""
-    left, low, right, high = frame(points)
+    left, low, right, high = box
     across = max(right - left, high - low)
     view = f"{left!r} {-high!r} {right - left!r} {high - low!r}"
     style = f'fill="none" stroke-width="{across / 500!r}" stroke-linecap="round" stroke-linejoin="round"'
     text = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{view}">']
-    for layer in [*layers, Layer("points", marks=points)]:
+    for layer in layers:
         head, ink = f'<g id="{layer.name}"', INKS[layer.name]
         if layer.graph is not None:
             text += [f'{head} {style} stroke="{ink}">', f'<path d="{"".join(_paths(layer.graph))}"/>', "</g>"]
@@ -126,13 +130,13 @@ def _paths(graph: PlanarGraph) -> Iterator[str]:
         yield "M" + "L".join(f"{x!r} {y!r}" for x, y in (line * (1.0, -1.0) + 0.0).tolist())
 
 
-def dxf(layers: list[Layer], points: NDArray[np.float64]) -> bytes:
+def dxf(layers: list[Layer], box: Box) -> bytes:
     """Every layer as polylines or points of a DXF layer of its name."""
     ezdxf = require("ezdxf", "cad")
-    left, low, right, high = frame(points)
+    left, low, right, high = box
     drawing = ezdxf.new("R2010")
     space = drawing.modelspace()
-    for layer in [*layers, Layer("points", marks=points)]:
+    for layer in layers:
         name = {"layer": layer.name.upper()}
         color = ezdxf.colors.rgb2int(tuple(bytes.fromhex(INKS[layer.name][1:])))
         drawing.layers.add(name["layer"], true_color=color)
@@ -150,7 +154,7 @@ def dxf(layers: list[Layer], points: NDArray[np.float64]) -> bytes:
 def zipped(content: dict[str, bytes]) -> bytes:
     """Files by name in a zip that is the same bytes for the same content."""
     file = io.BytesIO()
-    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
         for name in sorted(content):
             # Without a date: the earliest that a zip can hold.
             archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), content[name])

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
+from functools import cache
 from typing import Any, TypeAlias
 
 from crazing import arguments
 from crazing.maze import TREES
+from crazing.recipe import GENERATORS, SAMPLERS, Recipe, preset, presets
 from crazing.skeleton import CRUSTS
 
 #: Values of every panel: `values["maze"]["opening"]`.
@@ -39,6 +41,8 @@ class Knob:
         The word of another knob of the panel; this one is shown when that one is on, or has the value after a colon.
     help
         What it does, in a few words.
+    group
+        Title of the fold it lies in; none for what is always there.
     """
 
     name: str
@@ -51,6 +55,7 @@ class Knob:
     choices: tuple[str, ...] = ()
     needs: str = ""
     help: str = ""
+    group: str = ""
 
     def read(self, value: Any, panel: str) -> Any:
         """`value` as this knob takes it; TypeError or ValueError tells what is wrong."""
@@ -113,20 +118,109 @@ COMPARE = (
 )
 
 MAZE = (
-    choice("cells", "Cells", ("voronoi", "delaunay", "inside the curve")),
-    count("fill", "Number of cells", 400, 3, 20_000, needs="cells:inside the curve"),
+    choice("cells", "Cells", ("voronoi", "delaunay", "in the curve")),
+    count("fill", "Number of cells", 400, 3, 20_000, needs="cells:in the curve"),
     choice("tree", "Tree", TREES),
     number("opening", "Opened doors", 1.0, 0.0, 1.0, help="1: one way between any two cells"),
     switch("solution", "Solution", True),
     SEED,
 )
 
-CRACK = (
-    number("opening", "Opening", 0.75, 0.0, 1.0, help="0 closes every plate, 1 none"),
-    number("hierarchy", "Hierarchy", 0.5, 0.0, 2.0, help="How much wider long cracks are"),
-    number("taper", "Taper", 0.5, 0.0, 1.0, help="The part over which a tip runs out"),
-    SEED,
-)
+OWN_PLATES = "of the recipe"
+
+# What is known about the fields of a recipe: label, and for numbers low, high and step of the slider; what it does.
+_FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
+    "generator": ("Generator", (0, 0, 0), ""),
+    "n": ("Number of plates", (3, 20_000, 1), ""),
+    "sampler": ("Spread", (0, 0, 0), ""),
+    "relax": ("Relaxation", (0, 10, 1), "Rounds that make plates alike"),
+    "falloff": ("Falloff", (0, 8, 0.1), "Finer plates near the middle"),
+    "anisotropy": ("Stretch", (0.1, 10, 0.1), "Of plates, along the angle"),
+    "angle": ("Angle", (-180, 180, 1), "Degrees"),
+    "tree": ("Tree", (0, 0, 0), ""),
+    "opening": ("Opening", (0, 1, 0.01), "0 closes every plate, 1 none"),
+    "rounds": ("Straightening", (0, 20, 1), "Rounds"),
+    "pull": ("Pull", (0, 1, 0.01), "Of a round, towards the chord"),
+    "slide": ("Slide", (0, 1, 0.01), "Of a round, towards T junctions"),
+    "clamp": ("Clamp", (0, 0.5, 0.01), "What sliding keeps out of"),
+    "jitter": ("Jitter", (0, 2, 0.01), "How plates differ in size"),
+    "bend": ("Bend", (0, 1, 0.01), "Of new cracks towards old ones"),
+    "speed": ("Speed", (10, 600, 5), "Of what hits, km/h"),
+    "arcs": ("Arcs", (0, 1, 0.01), "Around the impact"),
+    "warp": ("Warp", (0, 1, 0.01), "Of the whole, in spacings"),
+    "roughness": ("Roughness", (0, 0.3, 0.005), "Of every crack"),
+    "hurst": ("Hurst exponent", (0, 1, 0.01), "Smooth or jagged roughness"),
+    "grain": ("Grain", (0.02, 1, 0.01), "Finest roughness, in spacings"),
+    "thickness": ("Thickness", (0, 0.5, 0.005), "In spacings of plates"),
+    "hierarchy": ("Hierarchy", (0, 2, 0.01), "How much wider long cracks are"),
+    "shrink": ("Shrink", (0, 1, 0.01), "Width from a generation to the next"),
+    "taper": ("Taper", (0, 1, 0.01), "The part over which a tip runs out"),
+    "abutting": ("Abutting", (0, 1, 0.01), "Width where a crack meets another"),
+    "unevenness": ("Unevenness", (0, 1, 0.01), "Of width along a crack"),
+    "fade": ("Fade", (0, 8, 0.1), "Thinner away from the middle"),
+}
+_WORDS = {"generator": GENERATORS, "sampler": SAMPLERS, "tree": TREES}
+_FIRST = ("opening", "rounds", "roughness", "thickness", "hierarchy", "taper")
+_OWN = ("n", "sampler", "relax", "falloff")
+_ONLY = {
+    **dict.fromkeys(("tree", "opening", "relax", "sampler"), "generator:maze"),
+    **dict.fromkeys(("jitter", "bend"), "generator:splitting"),
+    **dict.fromkeys(("speed", "arcs"), "generator:impact"),
+}
+
+#: What the page starts with.
+START = "painting-flemish"
+
+
+def recipe_fields() -> list[str]:
+    """Fields of a recipe that a knob can turn: numbers, switches and known words."""
+    kinds = {field.name: type(field.default) for field in fields(Recipe)}
+    return [name for name, kind in kinds.items() if kind in (int, float, bool) or name in _WORDS]
+
+
+def _recipe_knob(name: str) -> Knob:
+    """The knob of one field; a field that nothing is known about gets a range around its values."""
+    values = [getattr(recipe, name) for recipe in recipes().values()]
+    default = getattr(recipes()[START], name)
+    label, (low, high, step), help = _FIELDS.get(name, (name.replace("_", " ").capitalize(), (0, 0, 0), ""))
+    group = "" if name in ("generator", *_FIRST) else "Plates" if name in _OWN else "More steps"
+    more: dict[str, Any] = {"needs": _ONLY.get(name, ""), "group": group, "help": help}
+    if name in _WORDS:
+        return Knob(name, label, "choice", default, choices=_WORDS[name], **more)
+    if isinstance(default, bool):
+        return switch(name, label, default, **more)
+    low, high = min(low, *values), max(high or max(1, 2 * default), *values)
+    if isinstance(default, int):
+        return count(name, label, default, int(low), int(high), **more)
+    return number(name, label, default, low, high, step or 0.01, **more)
+
+
+@cache
+def recipes() -> dict[str, Recipe]:
+    """The recipes to start from: the thesis' own, and the presets."""
+    return {"thesis": Recipe(), **{name: preset(name) for name in presets()}}
+
+
+def _crack_knobs() -> tuple[Knob, ...]:
+    names = tuple(recipes())
+    steps = {name: _recipe_knob(name) for name in recipe_fields()}
+    first = [steps.pop(name) for name in ("generator", *_FIRST)]
+    plates = choice("plates", "Plates", ("of the points", OWN_PLATES), needs="generator:maze")
+    tile = switch("tile", "Tiles seamlessly", group="Plates", help="Needs plates of the recipe")
+    return (
+        Knob("recipe", "Recipe", "choice", START, choices=names),
+        first[0],
+        plates,
+        *first[1:],
+        SEED,
+        choice("material", "Material", ("of the recipe", *names[1:], "ink")),
+        *(knob for knob in steps.values() if knob.group == "Plates"),
+        tile,
+        *(knob for knob in steps.values() if knob.group != "Plates"),
+    )
+
+
+CRACK = _crack_knobs()
 
 PANELS: dict[str, tuple[Knob, ...]] = {"skeleton": SKELETON, "compare": COMPARE, "maze": MAZE, "crack": CRACK}
 

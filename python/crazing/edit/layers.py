@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -12,8 +13,9 @@ from numpy.typing import NDArray
 
 from crazing import sample
 from crazing.compare import compare
-from crazing.crack import Crack, crack
+from crazing.crack import Crack
 from crazing.diagram import Diagram, diagram
+from crazing.edit.cracks import crack_of, has_own_plates
 from crazing.errors import CrazingError, DegenerateInputError
 from crazing.graph import PlanarGraph
 from crazing.maze import Maze, maze
@@ -51,6 +53,8 @@ class Drawing:
         Why something that was asked for is not there; empty if all is.
     subject : Crack, PlanarGraph or None
         What would be measured.
+    seconds : dict
+        How long the layers took that can be left out while points move.
     """
 
     layers: list[Layer] = field(default_factory=list)
@@ -58,9 +62,10 @@ class Drawing:
     rows: list[Row] = field(default_factory=list)
     note: str = ""
     subject: Crack | PlanarGraph | None = None
+    seconds: dict[str, float] = field(default_factory=dict)
 
 
-def draw(points: Points, mode: str, values: dict[str, Any]) -> Drawing:
+def draw(points: Points, mode: str, values: dict[str, Any], skip: frozenset[str] = frozenset()) -> Drawing:
     """The drawing of one mode.
 
     Parameters
@@ -71,52 +76,82 @@ def draw(points: Points, mode: str, values: dict[str, Any]) -> Drawing:
         Which panel of knobs is drawn.
     values : dict
         The values of that panel's knobs, checked.
+    skip : frozenset of str
+        Layers of a skeleton to be left out; "crack" leaves out its roughness.
 
     Returns
     -------
     Drawing
         Too few points, or points on one line, are no error: its note says what is wanted.
     """
+    if mode == "crack" and has_own_plates(values):
+        return _crack(points, values, skip)
     if len(points) < 3:
         missing = 3 - len(points)
         return Drawing(note=f"Add {missing} more point{'s' * (missing > 1)}." if len(points) else "")
     try:
-        return _MODES[mode](diagram(points), values)
+        return _MODES[mode](diagram(points), values, skip)
     except DegenerateInputError:
         return Drawing(note="All points lie on one line. Add one beside it.")
 
 
-def _skeleton(d: Diagram, values: dict[str, Any]) -> Drawing:
+def _skeleton(d: Diagram, values: dict[str, Any], skip: frozenset[str]) -> Drawing:
     layers: list[Layer] = []
     rows: list[Row] = [("sites", len(d.sites)), ("edges", len(d.edges)), ("triangles", len(d.triangles))]
-    if values["delaunay"]:
-        layers.append(Layer("delaunay", d.delaunay))
-    if values["voronoi"]:
-        layers.append(Layer("voronoi", d.voronoi()))
-    subject = None
-    if values["nested"]:
-        rounds = _nested(d, values)
-        for i, found in enumerate(rounds):
-            layers.append(Layer(f"nested-{i}", found))
-            rows.append((f"nested {i + 1}, axis edges", len(found.edges)))
-        subject = rounds[-1]
-    if values["axis"]:
-        subject = axis_of(d, values)
-        layers.append(Layer("axis", subject))
-        rows += [("axis edges", len(subject.edges)), ("axis pieces", subject.components), ("free ends", subject.leaves)]
-    if values["crust"]:
-        found = crust(d, method=values["crust_method"])
-        layers.append(Layer("crust", found))
-        rows += [("crust edges", len(found.edges)), ("crust pieces", found.components)]
-    if values["curve"]:
-        layers.append(Layer("curve", curve(d)))
-        rows.append(("curve pieces", layers[-1].graph.components))  # type: ignore[union-attr]
-    if values["poles"]:
-        found_poles = poles(d)
-        marks = d.vertices[np.unique(found_poles[found_poles >= 0])]
-        layers.append(Layer("poles", marks=marks))
-        rows.append(("poles", len(marks)))
-    return Drawing(layers, rows=rows, subject=subject, note=_unpruned(values))
+    seconds: dict[str, float] = {}
+    for name, step in _STEPS.items():
+        if values[name] and name not in skip:
+            start = time.perf_counter()
+            added, counted = step(d, values)
+            seconds[name] = time.perf_counter() - start
+            layers += added
+            rows += counted
+    graphs = {layer.name.partition("-")[0]: layer.graph for layer in layers}
+    subject = graphs.get("axis") or graphs.get("nested") or graphs.get("curve") or graphs.get("crust")
+    return Drawing(layers, rows=rows, subject=subject, note=_unpruned(values), seconds=seconds)
+
+
+Made: TypeAlias = tuple[list[Layer], list[Row]]
+
+
+def _draw_nested(d: Diagram, values: dict[str, Any]) -> Made:
+    rounds = _nested(d, values)
+    rows: list[Row] = [(f"nested {i + 1}, axis edges", len(found.edges)) for i, found in enumerate(rounds)]
+    return [Layer(f"nested-{i}", found) for i, found in enumerate(rounds)], rows
+
+
+def _draw_axis(d: Diagram, values: dict[str, Any]) -> Made:
+    axis = axis_of(d, values)
+    counts: list[Row] = [("axis edges", len(axis.edges)), ("axis pieces", axis.components), ("free ends", axis.leaves)]
+    return [Layer("axis", axis)], counts
+
+
+def _draw_crust(d: Diagram, values: dict[str, Any]) -> Made:
+    found = crust(d, method=values["crust_method"])
+    return [Layer("crust", found)], [("crust edges", len(found.edges)), ("crust pieces", found.components)]
+
+
+def _draw_curve(d: Diagram, values: dict[str, Any]) -> Made:
+    found = curve(d)
+    return [Layer("curve", found)], [("curve pieces", found.components)]
+
+
+def _draw_poles(d: Diagram, values: dict[str, Any]) -> Made:
+    found = poles(d)
+    marks = d.vertices[np.unique(found[found >= 0])]
+    return [Layer("poles", marks=marks)], [("poles", len(marks))]
+
+
+# By the knob that turns each on, bottom first.
+_STEPS: dict[str, Callable[[Diagram, dict[str, Any]], Made]] = {
+    "delaunay": lambda d, values: ([Layer("delaunay", d.delaunay)], []),
+    "voronoi": lambda d, values: ([Layer("voronoi", d.voronoi())], []),
+    "nested": _draw_nested,
+    "axis": _draw_axis,
+    "crust": _draw_crust,
+    "curve": _draw_curve,
+    "poles": _draw_poles,
+}
 
 
 def _unpruned(values: dict[str, Any]) -> str:
@@ -144,7 +179,7 @@ def _nested(d: Diagram, values: dict[str, Any]) -> list[PlanarGraph]:
     return [skeleton.axis for skeleton in nested(d.sites, iterations=values["iterations"], method=method)]
 
 
-def _compare(d: Diagram, values: dict[str, Any]) -> Drawing:
+def _compare(d: Diagram, values: dict[str, Any], skip: frozenset[str]) -> Drawing:
     found = compare(d, values["first"], values["second"])
     layers = [
         Layer("crust-first", found.first.crust),
@@ -162,7 +197,7 @@ def _compare(d: Diagram, values: dict[str, Any]) -> Drawing:
 def maze_of(points: Points | Diagram, values: dict[str, Any]) -> Maze:
     """The maze as the knobs have it."""
     options = {"tree": values["tree"], "opening": values["opening"], "rng": values["seed"]}
-    if values["cells"] != "inside the curve":
+    if values["cells"] != "in the curve":
         return maze(points, cells=values["cells"], **options)
     rings = rings_of(curve(points))
     if not rings:
@@ -181,7 +216,7 @@ def rings_of(graph: PlanarGraph) -> list[Points]:
     return [line for line in lines if len(line) > 3 and (line[0] == line[-1]).all()]
 
 
-def _maze(d: Diagram, values: dict[str, Any]) -> Drawing:
+def _maze(d: Diagram, values: dict[str, Any], skip: frozenset[str]) -> Drawing:
     found = maze_of(d, values)
     layers = [Layer("walls", found.walls)]
     counts = found.statistics
@@ -193,14 +228,11 @@ def _maze(d: Diagram, values: dict[str, Any]) -> Drawing:
     return Drawing(layers, rows=[*rows, ("winding", counts.winding)], subject=found.walls)
 
 
-def crack_of(points: Points | Diagram, values: dict[str, Any]) -> Crack:
-    """The crack as the knobs have it."""
-    knobs = {name: value for name, value in values.items() if name != "seed"}
-    return crack(points, rng=values["seed"], **knobs)
-
-
-def _crack(d: Diagram, values: dict[str, Any]) -> Drawing:
-    found = crack_of(d, values)
+def _crack(d: Points | Diagram, values: dict[str, Any], skip: frozenset[str]) -> Drawing:
+    start = time.perf_counter()
+    # Roughness costs more than all else, and leaves the rest of the pattern as it is.
+    found = crack_of(d, {**values, "roughness": 0.0} if "crack" in skip else values)
+    seconds = {} if "crack" in skip else {"crack": time.perf_counter() - start}
     graph = found.graph
     rows: list[Row] = [
         ("edges", len(graph.edges)),
@@ -210,10 +242,18 @@ def _crack(d: Diagram, values: dict[str, Any]) -> Drawing:
         ("free ends", graph.leaves),
         ("length", graph.length),
     ]
-    return Drawing([Layer("crack", graph)], rows=rows, subject=found)
+    return Drawing([Layer("crack", PlanarGraph(*_unwrapped(found)))], rows=rows, subject=found, seconds=seconds)
 
 
-_MODES: dict[str, Callable[[Diagram, dict[str, Any]], Drawing]] = {
+def _unwrapped(found: Crack) -> tuple[Points, NDArray[np.int32]]:
+    """Vertices and edges of the segments; those of a period may reach beyond it."""
+    if found.period is None:
+        return found.graph.vertices, found.graph.edges
+    ends = found.segments.reshape(-1, 2)
+    return ends, np.arange(len(ends), dtype=np.int32).reshape(-1, 2)
+
+
+_MODES: dict[str, Callable[[Diagram, dict[str, Any], frozenset[str]], Drawing]] = {
     "skeleton": _skeleton,
     "compare": _compare,
     "maze": _maze,

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -10,12 +12,17 @@ from numpy.typing import NDArray
 
 from crazing import arguments
 from crazing.crack import Crack
-from crazing.edit import drawing
+from crazing.edit import cracks, drawing
 from crazing.edit.layers import Drawing, draw
 from crazing.errors import CrazingError
+from crazing.material import Material
 from crazing.render import render
+from crazing.texture import texture
 
 Points: TypeAlias = NDArray[np.float64]
+
+#: Maps of the folder of a texture.
+TEXTURE_MAPS = ("color", "height", "normal", "ao", "roughness", "mask")
 
 
 def made(what: Any, points: Points, mode: str, values: dict[str, Any], size: int) -> tuple[str, bytes]:
@@ -55,23 +62,52 @@ def described() -> list[dict[str, Any]]:
 
 def _png(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
     if isinstance(found.subject, Crack):
-        return drawing.png_of(render(found.subject, drawing.shape(found.subject.bounds, size)))
-    return drawing.png(drawing.shown(found), points, size)
+        shape = drawing.shape(found.subject.bounds, size)
+        if values["material"] == cracks.INK:
+            return drawing.png_of(render(found.subject, shape))
+        material = cracks.material_of(values)
+        return drawing.png_of(
+            texture(found.subject, shape, maps="color", material=material, seed=values["seed"])["color"]
+        )
+    return drawing.png(drawing.shown(found, points), drawing.frame(found, points), size)
 
 
 def _svg(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
-    return drawing.svg(drawing.shown(found), points)
+    return drawing.svg(drawing.shown(found, points), drawing.frame(found, points))
 
 
 def _dxf(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
-    return drawing.dxf(drawing.shown(found), points)
+    return drawing.dxf(drawing.shown(found, points), drawing.frame(found, points))
 
 
-_MAKERS: dict[str, Callable[[Drawing, Points, dict[str, Any], int], bytes]] = {"png": _png, "svg": _svg, "dxf": _dxf}
-_ENDINGS: dict[str, str] = {}
+def _recipe(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
+    return cracks.recipe_of(values).to_toml().encode()
+
+
+def _texture(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
+    if not isinstance(found.subject, Crack):
+        raise CrazingError("a texture is made of a crack; there is none")
+    material = Material() if values["material"] == cracks.INK else cracks.material_of(values)
+    shape = drawing.shape(found.subject.bounds, size)
+    made = texture(found.subject, shape, maps=TEXTURE_MAPS, material=material, seed=values["seed"])
+    with tempfile.TemporaryDirectory() as folder:
+        made.save(folder, name="crack")
+        return drawing.zipped(drawing.folder_content(Path(folder)))
+
+
+_MAKERS: dict[str, Callable[[Drawing, Points, dict[str, Any], int], bytes]] = {
+    "png": _png,
+    "svg": _svg,
+    "dxf": _dxf,
+    "texture": _texture,
+    "recipe": _recipe,
+}
+_ENDINGS = {"recipe": "toml", "texture": "zip"}
 _ALL = ("skeleton", "compare", "maze", "crack")
 _LABELS: dict[str, tuple[str, tuple[str, ...]]] = {
     "png": ("PNG picture", _ALL),
     "svg": ("SVG drawing", _ALL),
     "dxf": ("DXF drawing", _ALL),
+    "texture": ("Texture folder", ("crack",)),
+    "recipe": ("Recipe (TOML)", ("crack",)),
 }

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from crazing.edit import samples
+from crazing.edit import cracks, samples
 
 #: Coordinates a line of a literal array.
 _ROW = 3
@@ -45,16 +45,17 @@ def script(points: NDArray[np.float64], mode: str, values: dict[str, Any], sourc
     ]
     ...
     """
-    body = _MODES[mode](values)
+    body = cracks.lines(values, points) if mode == "crack" else _MODES[mode](values)
     names = ["import crazing as cz"]
-    if values.get("cells") == "inside the curve":
+    if values.get("cells") == "in the curve":
         names = [
             "from itertools import pairwise\n",
             "import numpy as np\n",
             *names,
             "from crazing.region import as_region",
         ]
-    return "\n".join([*names, "", *_points(points, source), *body, ""])
+    placed = [] if mode == "crack" and cracks.has_own_plates(values) else _points(points, source)
+    return "\n".join([*names, "", *placed, *body, ""])
 
 
 def _points(points: NDArray[np.float64], source: dict[str, Any] | None) -> list[str]:
@@ -104,7 +105,7 @@ def _compare(values: dict[str, Any]) -> list[str]:
 
 def _maze(values: dict[str, Any]) -> list[str]:
     options = f"tree={values['tree']!r}, opening={values['opening']!r}, rng={values['seed']}"
-    if values["cells"] == "inside the curve":
+    if values["cells"] == "in the curve":
         lines = [
             "coords, offsets = cz.curve(points).polylines()",
             "lines = [coords[start:end] for start, end in pairwise(offsets.tolist())]",
@@ -121,12 +122,4 @@ def _maze(values: dict[str, Any]) -> list[str]:
     return lines
 
 
-def _crack(values: dict[str, Any]) -> list[str]:
-    options = ", ".join(f"{name}={value!r}" for name, value in values.items() if name != "seed")
-    return [
-        f"crack = cz.crack(points, {options}, rng={values['seed']})",
-        'cz.save_png("crack.png", cz.render(crack, 1024))',
-    ]
-
-
-_MODES = {"skeleton": _skeleton, "compare": _compare, "maze": _maze, "crack": _crack}
+_MODES = {"skeleton": _skeleton, "compare": _compare, "maze": _maze}

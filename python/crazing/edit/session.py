@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 
 from crazing import _core, arguments
 from crazing.crack import Crack
-from crazing.edit import drawing, exchange, knobs, output, picture, samples
+from crazing.edit import cracks, drawing, exchange, knobs, output, picture, samples
 from crazing.edit.layers import MODES, Drawing, draw
 from crazing.edit.script import script
 from crazing.errors import CrazingError
+from crazing.measure import measure
 from crazing.render import Style, render
 
 Points: TypeAlias = NDArray[np.float64]
@@ -23,6 +24,9 @@ Buffers: TypeAlias = Sequence["bytes | memoryview"]
 
 #: Sides of a preview and of a picture to be taken away, in pixels.
 LARGEST_PREVIEW, LARGEST_PICTURE = 2048, 8192
+
+#: Seconds beyond which a layer waits until its points are let go.
+SLOW = 0.06
 
 #: Failures that are the asker's; all else is a bug, which is told as such and does not end the session.
 _EXPECTED = (ValueError, TypeError, ImportError, MemoryError, OSError)
@@ -59,6 +63,7 @@ class Session:
         self.mode = MODES[0]
         self.values = knobs.defaults()
         self._picture: picture.Picture | None = None
+        self._slow: set[str] = set()
 
     def answer(self, content: Any, buffers: Buffers = ()) -> Message:
         """The reply to a message.
@@ -105,6 +110,7 @@ class Session:
             "mode": self.mode,
             "values": self.values,
             "knobs": knobs.described(),
+            "recipes": {name: {f: getattr(r, f) for f in knobs.recipe_fields()} for name, r in knobs.recipes().items()},
             "samples": knobs.listed(samples.KNOBS),
             "contour": knobs.listed(picture.KNOBS),
             "outlines": list(samples.OUTLINES),
@@ -118,14 +124,34 @@ class Session:
     def _layers(self, content: Mapping[str, Any], buffers: Buffers) -> Message:
         start = time.perf_counter()
         points, mode, values = self.keep(content, buffers)
-        found = draw(points, mode, values)
+        skip = frozenset(self._slow) if content.get("moving") is True else frozenset[str]()
+        found = draw(points, mode, values, skip)
+        self._time(found)
         reply, parts = _packed(found, points)
+        left_out = sorted(name for name in skip if values.get(name))
+        if left_out and mode == "skeleton":
+            reply["note"] = f"{', '.join(left_out).capitalize()}: when you let go"
         if isinstance(found.subject, Crack) and content.get("preview"):
             size = arguments.count(content["preview"], "preview", low=16, high=LARGEST_PREVIEW)
-            reply["preview"], pixels = _preview(found.subject, size)
+            reply["preview"], pixels = _preview(found.subject, size, values)
             parts.append(pixels)
         reply["milliseconds"] = round(1e3 * (time.perf_counter() - start), 2)
         return Message({"kind": "layers", "mode": mode, **reply}, parts)
+
+    def _time(self, found: Drawing) -> None:
+        """Remembers which layers are too slow to follow a moving point."""
+        for name, seconds in found.seconds.items():
+            (self._slow.add if seconds > SLOW else self._slow.discard)(name)
+
+    def _measure(self, content: Mapping[str, Any], buffers: Buffers) -> Message:
+        points, mode, values = self.keep(content, buffers)
+        found = draw(points, mode, values)
+        if found.subject is None:
+            raise CrazingError(found.note or "there is nothing to be measured yet")
+        measured = measure(found.subject).to_dict()
+        return Message(
+            {"kind": "measures", "rows": [[name.replace("_", " "), value] for name, value in measured.items()]}
+        )
 
     def _sample(self, content: Mapping[str, Any], buffers: Buffers) -> Message:
         asked = {knob.name: knob.read(content.get(knob.name, knob.default), "samples") for knob in samples.KNOBS}
@@ -168,6 +194,7 @@ class Session:
 _ANSWERS: dict[str, Callable[[Session, Mapping[str, Any], Buffers], Message]] = {
     "hello": Session._hello,
     "layers": Session._layers,
+    "measure": Session._measure,
     "sample": Session._sample,
     "load": Session._load,
     "contour": Session._contour,
@@ -220,8 +247,10 @@ def _packed(found: Drawing, points: Points) -> tuple[dict[str, Any], list[bytes]
     return described, parts
 
 
-def _preview(crack: Crack, size: int) -> tuple[dict[str, Any], bytes]:
-    """The crack as pixels, the longer side `size`."""
+def _preview(crack: Crack, size: int, values: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
+    """The crack as pixels, the longer side `size`: RGBA, or what the page puts light on."""
     height, width = drawing.shape(crack.bounds, size)
-    pixels = render(crack, (height, width), style=Style())
-    return {"bounds": list(crack.bounds), "height": height, "width": width}, pixels.tobytes()
+    shown = {"bounds": list(crack.bounds), "height": height, "width": width}
+    if values["material"] == cracks.INK:
+        return {**shown, "kind": "ink"}, render(crack, (height, width), style=Style()).tobytes()
+    return {**shown, "kind": "maps"}, cracks.lit_maps(crack, (height, width), values).tobytes()

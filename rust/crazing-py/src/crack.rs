@@ -94,9 +94,9 @@ pub(crate) fn crack_walls_on_torus<'py>(
 
 /// The end that each edge end continues into.
 #[pyfunction]
-pub(crate) fn crack_pairs<'py>(py: Python<'py>, net: NetArrays<'py>) -> PyResult<Row<'py, i32>> {
+pub(crate) fn crack_pairs<'py>(py: Python<'py>, net: NetArrays<'py>, sharpest: f64) -> PyResult<Row<'py, i32>> {
     let net = net.view()?;
-    Ok(PyArray1::from_vec(py, detached(py, |_| Ok(crack::pairs(net)))?))
+    Ok(PyArray1::from_vec(py, detached(py, |_| Ok(crack::pairs(net, sharpest)))?))
 }
 
 /// The vertices after straightening.

@@ -53,6 +53,7 @@ mod _core {
     #[pymodule_export]
     use crate::skeleton::{
         axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
+        without_bumps,
     };
     #[pymodule_export]
     use crate::texture::{plates, texture};

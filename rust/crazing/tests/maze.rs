@@ -102,7 +102,7 @@ fn widths_taper_to_free_tips_and_stay_at_the_bounds() {
     let m = maze_of(&d, 1.0, 2);
     let bounds = [0.0, 0.0, 1.0, 1.0];
     let net = within(d.view(), &m.open, bounds).unwrap().net;
-    let found = strands(net.view(), &pairs(net.view()), &[]);
+    let found = strands(net.view(), &pairs(net.view(), 4.0), &[]);
     let profile = Profile { width: 0.01, ..Profile::default() };
     let width = widths(net.view(), &found, profile, [2, 0]).unwrap();
     let degree = net.view().degrees();
@@ -184,7 +184,7 @@ proptest! {
     fn strands_cover_every_edge_once_and_are_walks(points in prop_oneof![any_points(), lattice()]) {
         let d = of(&points);
         let g = Net::plane(dual_edges(d.view(), [-1.0, -1.0, 7.0, 7.0], |_| true).unwrap().graph);
-        let s = strands(g.view(), &pairs(g.view()), &[]);
+        let s = strands(g.view(), &pairs(g.view(), 4.0), &[]);
         let mut edges: Vec<u32> = s.entries.iter().map(|entry| entry / 2).collect();
         edges.sort_unstable();
         prop_assert!(edges.into_iter().eq(0..g.edges.len() as u32));

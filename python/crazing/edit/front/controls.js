@@ -109,11 +109,21 @@ export function controls(knobs, values, changed) {
     changed(name);
   };
   const made = knobs.map((knob) => control(knob, change));
+
   const refresh = () => made.forEach((one) => one.refresh(values));
   const set = () => {
     knobs.forEach((knob, i) => made[i].set(values[knob.name]));
     refresh();
   };
   set();
-  return { element: h("div", { class: "crz-knobs" }, made.map((one) => one.element)), set };
+  const element = h("div", { class: "crz-knobs" });
+  const folds = {};
+  knobs.forEach(({ group }, i) => {
+    if (group && !folds[group]) {
+      folds[group] = h("div", { class: "crz-knobs" });
+      element.append(h("details", { class: "crz-fold" }, h("summary", {}, group), folds[group]));
+    }
+    (folds[group] ?? element).append(made[i].element);
+  });
+  return { element, set };
 }

@@ -5,11 +5,14 @@ import { View } from "./view.js";
 import { Cloud } from "./cloud.js";
 import { Live, Wire, numbers } from "./wire.js";
 import { Scene } from "./scene.js";
+import { lit } from "./light.js";
 import { TOOLS, Tools } from "./tools.js";
-import { keepFile, modeSection, outSection, pictureSection, pointsSection } from "./panels.js";
+import { controls } from "./controls.js";
+import { keepFile, measureSection, modeSection, outSection, pictureSection, pointsSection } from "./panels.js";
 
-/** Pixels of the longer side of a crack's preview: while it moves, and when it rests. */
-const PREVIEW = { moving: 448, resting: 1200 };
+/** Pixels of the longer side of a crack's preview when it rests; while it moves as many as can be made in time. */
+const RESTING = 1000;
+const MOVING = { least: 128, most: 640, milliseconds: 75 };
 
 const KEYS = [
   ["Click", "add a point"], ["Drag a point", "move it"], ["Shift + click, Shift + drag", "select"], ["Delete", "delete what is selected"],
@@ -29,6 +32,8 @@ class Editor {
     this.scene = new Scene(this.canvas, this.view, this.cloud, root);
     this.wire = state.wire;
     this.resting = true;
+    this.moving = 256;
+    this.lamp = { side: 135, high: 40 };
     this.layers = new Live(() => this.#askLayers(), (answer) => this.#showLayers(answer), (error) => this.#tell(error.message));
     this.contour = new Live(() => this.wire.ask({ kind: "contour", ...this.picture.values }), (answer) => this.#traced(answer), (error) => this.picture.complain(error.message));
     this.#build();
@@ -44,9 +49,10 @@ class Editor {
     this.points = pointsSection(this, this.state);
     this.picture = pictureSection(this, this.state);
     this.modes = modeSection(this, this.state);
+    this.measures = measureSection(this);
     this.out = outSection(this, this.state);
     this.status = h("p", { role: "status", class: "crz-hidden" });
-    const panel = h("div", { class: "crz-panel", role: "group", "aria-label": "Settings" }, this.modes.element, this.picture.element, this.points.element, this.out.element);
+    const panel = h("div", { class: "crz-panel", role: "group", "aria-label": "Settings" }, this.modes.element, this.picture.element, this.points.element, this.measures.element, this.out.element);
     const stage = h("div", { class: "crz-stage" }, this.#stage(), this.#foot());
     this.root.replaceChildren(h("div", { class: "crz-frame" }, this.#bar(), stage, panel, this.status));
     this.modes.select(this.mode);
@@ -59,7 +65,7 @@ class Editor {
     this.redoButton = iconButton("redo", "Redo (Ctrl+Y)", () => this.redo(), { "data-action": "redo" });
     this.snapButton = iconButton("snap", "Snap to the grid (G)", () => this.setSnap(!this.scene.snap), { "aria-pressed": "false", "data-action": "snap" });
     this.themeButton = iconButton("moon", "Dark", () => this.#turnTheme(), { "data-action": "theme" });
-    const help = h("dialog", { class: "crz-help", "aria-label": "Keys" }, h("h2", {}, "Mouse and keys"), h("dl", {}, KEYS.map(([key, what]) => [h("dt", {}, key), h("dd", {}, what)])),
+    const help = h("dialog", { class: "crz-help", "aria-label": "Keys" }, h("h2", {}, "Mouse and keys"), h("dl", {}, KEYS.flatMap(([key, what]) => [h("dt", {}, key), h("dd", {}, what)])),
       h("form", { method: "dialog" }, h("button", { class: "crz-primary" }, "Close")));
     const mark = h("h1", { class: "crz-mark" }, "crazing");
     return h("div", { class: "crz-bar", role: "toolbar", "aria-label": "Tools" }, mark,
@@ -120,7 +126,13 @@ class Editor {
         this.scene.invalidate();
       } });
       this.scene.showLines = false;
-      return h("div", { class: "crz-row crz-switch" }, lines, h("label", { htmlFor: lines.id }, h("span", { class: "crz-swatch", "data-layer": "crack", "aria-hidden": "true" }), "Centrelines"));
+      const knobs = [
+        { name: "side", label: "Light from", kind: "number", low: 0, high: 360, step: 1, needs: "", help: "Degrees, 90 is above", group: "Light" },
+        { name: "high", label: "Height of the light", kind: "number", low: 8, high: 90, step: 1, needs: "", help: "", group: "Light" },
+      ];
+      const lamp = controls(knobs, this.lamp, () => this.#light());
+      lamp.element.querySelector("details").open = true;
+      return [lamp.element, h("div", { class: "crz-row crz-switch" }, lines, h("label", { htmlFor: lines.id }, h("span", { class: "crz-swatch", "data-layer": "crack", "aria-hidden": "true" }), "Centrelines"))];
     }
     return null;
   }
@@ -337,7 +349,6 @@ class Editor {
 
   trace() {
     this.picture.complain("");
-    this.resting = false;
     this.contour.poke();
   }
 
@@ -373,6 +384,10 @@ class Editor {
     return this.wire.ask({ kind: "export", what, size, ...this.#state() }, [this.bytes()]);
   }
 
+  measure() {
+    return this.wire.ask({ kind: "measure", ...this.#state() }, [this.bytes()]);
+  }
+
   async script() {
     return (await this.wire.ask({ kind: "script", source: this.cloud.source, ...this.#state() }, [this.bytes()])).text;
   }
@@ -383,28 +398,43 @@ class Editor {
 
   #askLayers() {
     this.asked = performance.now();
-    const preview = this.mode === "crack" ? (this.resting ? PREVIEW.resting : PREVIEW.moving) : 0;
-    return this.wire.ask({ kind: "layers", preview, ...this.#state() }, [this.bytes()]);
+    this.askedAtRest = this.resting;
+    const preview = this.mode === "crack" ? (this.resting ? RESTING : this.moving) : 0;
+    return this.wire.ask({ kind: "layers", preview, moving: this.scene.dragging === true || (this.mode === "crack" && !this.resting), ...this.#state() }, [this.bytes()]);
   }
 
   async #showLayers(answer) {
     this.scene.mode = answer.mode;
     this.scene.take(answer, numbers);
-    if (answer.preview) {
-      const { width, height, bounds } = answer.preview;
-      const pixels = new ImageData(numbers(answer.buffers.at(-1), Uint8ClampedArray), width, height);
-      this.scene.preview = { image: await createImageBitmap(pixels), bounds };
-    } else {
-      this.scene.preview = null;
-    }
+    this.maps = answer.preview ? { ...answer.preview, pixels: numbers(answer.buffers.at(-1), Uint8ClampedArray) } : null;
+    await this.#light();
     this.#tell(answer.note);
     this.modes.count(answer.mode, answer.head, answer.rows);
     this.#sides();
     this.scene.invalidate();
     const took = performance.now() - this.asked;
-    this.took.textContent = this.cloud.size ? `${Math.round(took)} ms` : "";
-    this.root.dataset.milliseconds = String(took);
+    if (this.maps && Math.max(this.maps.width, this.maps.height) === this.moving) {
+      // Time goes with pixels; half the step at once, so that one slow answer does not make the picture jump.
+      const wanted = this.moving * Math.sqrt(MOVING.milliseconds / Math.max(took, 10));
+      this.moving = Math.round(Math.min(MOVING.most, Math.max(MOVING.least, (this.moving + wanted) / 2)));
+    }
+    // The large picture of rest is no part of what is live.
+    if (!this.askedAtRest) this.took.textContent = this.cloud.size ? `${Math.round(took)} ms` : "";
+    if (!this.askedAtRest) this.root.dataset.milliseconds = String(took);
     this.root.dataset.answers = String(Number(this.root.dataset.answers ?? 0) + 1);
+  }
+
+  /** The preview as it lies under the lamp. */
+  async #light() {
+    const { maps } = this;
+    if (!maps) {
+      this.scene.preview = null;
+      return;
+    }
+    const { pixels, width, height, bounds } = maps;
+    const picture = maps.kind === "ink" ? new ImageData(pixels, width, height) : lit(pixels, width, height, this.lamp.side, this.lamp.high);
+    this.scene.preview = { image: await createImageBitmap(picture), bounds };
+    this.scene.invalidate();
   }
 
   #pointsFromPython() {
@@ -441,24 +471,25 @@ class Editor {
     const { cloud } = this;
     const chosen = cloud.selected.size ? ` · ${cloud.selected.size} selected` : "";
     this.howMany.textContent = `${cloud.size.toLocaleString("en")} point${cloud.size === 1 ? "" : "s"}${chosen}`;
-    this.empty.hidden = cloud.size > 0 || !this.picture.element.hidden;
+    this.empty.hidden = cloud.size > 0 || !this.picture.element.hidden || (this.mode === "crack" && this.state.values.crack.plates !== "of the points");
     this.undoButton.disabled = !cloud.past.length;
     this.redoButton.disabled = !cloud.future.length;
     if (what === "selection") return;
-    this.resting = what !== "points";
+    this.resting = false;
     this.layers.poke();
     if (what !== "points") this.#keepTraits();
-    if (what === "values") this.#restLater();
+    this.#restLater();
   }
 
-  /** A slider tells every step; only the last deserves the large picture. */
+  /** What moves is drawn small; when nothing has moved for a while it deserves the large picture. */
   #restLater() {
-    this.resting = false;
     clearTimeout(this.rest);
     this.rest = setTimeout(() => {
+      this.measures.poke();
+      if (this.mode !== "crack") return;
       this.resting = true;
-      if (this.mode === "crack") this.layers.poke();
-    }, 180);
+      this.layers.poke();
+    }, 220);
   }
 
   pointed(place) {

@@ -1,6 +1,7 @@
 // The panel beside the canvas: points, the mode with its knobs and counts, and what can be taken away.
 
 import { download, h, icon, unique, words } from "./dom.js";
+import { Live } from "./wire.js";
 import { controls } from "./controls.js";
 
 const TITLES = { skeleton: "Skeleton", compare: "Compare", maze: "Maze", crack: "Crack" };
@@ -46,9 +47,9 @@ export function pointsSection(editor, state) {
     h("div", { class: "crz-buttons" }, h("button", { type: "button", class: "crz-primary", "data-action": "generate", onclick: make }, icon("dice"), "Generate")),
     h("hr"),
     h("div", { class: "crz-buttons" },
-      h("button", { type: "button", "data-action": "open", onclick: () => picker.click() }, icon("open"), "Open file or picture"), picker),
-    h("div", { class: "crz-buttons" }, kind, h("button", { type: "button", "data-action": "save", onclick: save }, "Save points"),
+      h("button", { type: "button", "data-action": "open", onclick: () => picker.click() }, icon("open"), "Open file or picture"), picker,
       h("button", { type: "button", class: "crz-quiet", "data-action": "clear", onclick: () => editor.clear() }, icon("trash"), "Clear")),
+    h("div", { class: "crz-buttons" }, h("button", { type: "button", "data-action": "save", onclick: save }, "Save points as"), kind),
     place);
   return { element, open: () => picker.click(), complain: (message) => (place.textContent = message) };
 }
@@ -80,7 +81,14 @@ export function modeSection(editor, state) {
   for (const [mode, list] of Object.entries(state.knobs)) {
     const [tabName, panelName] = [unique("tab"), unique("panel")];
     tabs[mode] = h("button", { type: "button", role: "tab", id: tabName, "aria-controls": panelName, "data-mode": mode, onclick: () => editor.setMode(mode) }, TITLES[mode]);
-    knobs[mode] = controls(list, state.values[mode], () => editor.changed("values"));
+    knobs[mode] = controls(list, state.values[mode], (name) => {
+      if (name === "recipe") {
+        // The knobs of the steps jump to where the recipe has them.
+        Object.assign(state.values.crack, state.recipes[state.values.crack.recipe]);
+        knobs.crack.set();
+      }
+      editor.changed("values");
+    });
     tables[mode] = h("table", { class: "crz-counts" }, h("caption", { class: "crz-hidden" }, `Counts of the ${TITLES[mode].toLowerCase()}`));
     panels[mode] = h("div", { role: "tabpanel", id: panelName, "aria-labelledby": tabName, class: "crz-inside" }, knobs[mode].element, editor.extras(mode), tables[mode]);
   }
@@ -108,6 +116,26 @@ export function modeSection(editor, state) {
   };
   const set = () => Object.values(knobs).forEach((one) => one.set());
   return { element: h("section", { class: "crz-modes", "aria-label": "Mode" }, list, Object.values(panels)), select, count, set };
+}
+
+/** Statistics of what is shown, measured while the section is open. */
+export function measureSection(editor) {
+  const place = complaint();
+  const table = h("table", { class: "crz-counts" }, h("caption", { class: "crz-hidden" }, "Measures"));
+  const live = new Live(() => editor.measure(), ({ rows }) => {
+    place.textContent = "";
+    table.querySelectorAll("tbody").forEach((part) => part.remove());
+    table.append(h("tbody", {}, rows.map(([name, value]) => h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, words(value))))));
+  }, (error) => {
+    place.textContent = error.message;
+    table.querySelectorAll("tbody").forEach((part) => part.remove());
+  });
+  const element = section("Measure", false, place, table);
+  const poke = () => {
+    if (element.open) live.poke();
+  };
+  element.addEventListener("toggle", poke);
+  return { element, poke };
 }
 
 /** What can be taken away. */

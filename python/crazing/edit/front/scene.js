@@ -190,11 +190,11 @@ export class Scene {
 
   #points() {
     const { context: c, view, cloud } = this;
-    if (!this.showPoints && !this.dragging) return;
+    // On a crack they would spoil the picture: there they are seen while somebody is about to move them.
+    if (!this.dragging && (!this.showPoints || (this.mode === "crack" && !this.visited))) return;
     const many = cloud.size > 3000;
-    const radius = many ? 1.3 : cloud.size > 400 ? 2.2 : 3.6;
-    const faint = this.mode === "crack" && !this.dragging;
-    c.globalAlpha = faint ? 0.45 : 1;
+    const radius = Math.min(3.6, Math.max(cloud.size > 1200 ? 1.3 : 2.1, 0.24 * this.#spacing() * view.scale));
+    c.globalAlpha = this.mode === "crack" ? 0.6 : 1;
     c.beginPath();
     const chosen = [];
     for (let row = 0; row < cloud.size; row += 1) {
@@ -216,6 +216,27 @@ export class Scene {
     if (this.hover >= 0 && this.hover < cloud.size) {
       this.#ring(view.toScreen(cloud.xy[2 * this.hover], cloud.xy[2 * this.hover + 1]), radius + 5);
     }
+  }
+
+  /** About how far a point is from its nearest: the median of some of them, found once a state. */
+  #spacing() {
+    const { cloud } = this;
+    if (this.spaced?.xy !== cloud.xy) {
+      const found = [];
+      const every = Math.max(1, Math.floor(cloud.size / 25));
+      for (let row = 0; row < cloud.size; row += every) {
+        const [x, y] = [cloud.xy[2 * row], cloud.xy[2 * row + 1]];
+        let least = Infinity;
+        for (let other = 0; other < cloud.size; other += 1) {
+          const away = (cloud.xy[2 * other] - x) ** 2 + (cloud.xy[2 * other + 1] - y) ** 2;
+          if (away < least && away > 0) least = away;
+        }
+        found.push(Math.sqrt(least));
+      }
+      found.sort((a, b) => a - b);
+      this.spaced = { xy: cloud.xy, value: found[found.length >> 1] ?? Infinity };
+    }
+    return this.spaced.value;
   }
 
   #discs(places, radius, color) {

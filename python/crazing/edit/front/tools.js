@@ -211,6 +211,10 @@ export class Tools {
   #hover(row, at) {
     const { scene, view } = this.editor;
     this.editor.pointed(at ? view.toData(...at) : null);
+    if (scene.visited !== Boolean(at)) {
+      scene.visited = Boolean(at);
+      scene.invalidate();
+    }
     if (row === scene.hover) return;
     scene.hover = row;
     this.editor.canvas.dataset.over = row >= 0 ? "point" : "";

@@ -34,9 +34,7 @@ pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
     let mut runs = follow(net, partner);
     let age = |run: &Run| age.get(run.lowest as usize).copied().unwrap_or(0);
     // Oldest first, then longest; equal lengths by their first edge.
-    runs.sort_by(|a, b| {
-        age(a).cmp(&age(b)).then(b.length.total_cmp(&a.length)).then(a.lowest.cmp(&b.lowest))
-    });
+    runs.sort_by(|a, b| age(a).cmp(&age(b)).then(b.length.total_cmp(&a.length)).then(a.lowest.cmp(&b.lowest)));
     number(net, &Ends::of(net), &runs)
 }
 
@@ -50,9 +48,10 @@ fn direction(net: NetView<'_>, end: u32) -> Point {
 /// The end that each end of an edge continues into, or -1. Ends are numbered 2 edge + side.
 ///
 /// Two edges at a vertex of degree 2 always pair, at degree 3 the two that are best aligned; above, further pairs
-/// join while they are fairly straight.
-pub fn pairs(net: NetView<'_>) -> Vec<i32> {
+/// join while they are fairly straight. At vertices of degree 3 and above no pair turns by more than `sharpest` radians.
+pub fn pairs(net: NetView<'_>, sharpest: f64) -> Vec<i32> {
     let ends = Ends::of(net);
+    let limit = -libm::cos(sharpest.clamp(0.0, std::f64::consts::PI));
     let mut partner = vec![NONE; 2 * net.edges.len()];
     for vertex in 0..net.vertices.len() {
         let here = ends.at(vertex);
@@ -60,7 +59,8 @@ pub fn pairs(net: NetView<'_>) -> Vec<i32> {
         pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (rank, &(cosine, a, b)) in pairs.iter().enumerate() {
             let alone = partner[a as usize] == NONE && partner[b as usize] == NONE;
-            if alone && (rank == 0 || cosine < STRAIGHT) {
+            let is_best = rank == 0 && (here.len() == 2 || cosine <= limit || limit >= 1.0);
+            if alone && (is_best || cosine < STRAIGHT.min(limit)) {
                 partner[a as usize] = b as i32;
                 partner[b as usize] = a as i32;
             }

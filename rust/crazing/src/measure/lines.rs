@@ -95,17 +95,18 @@ impl Orientation {
     }
 }
 
-/// Points for a lag: a third of it, so that a line of two lags gives several second differences.
-const OVERLAP: usize = 3;
-
-/// Sum of squared second differences over `lag`, and their number.
+/// Sum of squared second differences over `lag` of points a lag apart, and their number.
 pub(super) fn roughness(drawing: &Drawing<'_>, network: &Network, segment: usize, lag: f64) -> (f64, usize) {
-    if network.length[segment] < 2.0 * lag {
+    let length = network.length[segment];
+    if length < 2.0 * lag {
         return (0.0, 0);
     }
-    let points = points(drawing, network, segment, lag / OVERLAP as f64);
-    let bend = |w: &[Point]| [0, 1].map(|k| w[0][k] - 2.0 * w[OVERLAP][k] + w[2 * OVERLAP][k]);
-    let bends = points.windows(2 * OVERLAP + 1).map(bend);
-    let squares = bends.map(|[x, y]| (x * x + y * y) / (lag * lag));
+    if network.along(segment).len() == 1 {
+        // Straight: what stepping along it would say.
+        return (0.0, (length / lag).round() as usize - 1);
+    }
+    let points = points(drawing, network, segment, lag);
+    let bend = |w: &[Point]| [0, 1].map(|k| w[0][k] - 2.0 * w[1][k] + w[2][k]);
+    let squares = points.windows(3).map(bend).map(|[x, y]| (x * x + y * y) / (lag * lag));
     squares.fold((0.0, 0), |(sum, count), square| (sum + square, count + 1))
 }

@@ -52,8 +52,7 @@ pub fn doors(view: DiagramView<'_>, region: &Region, wanted: &[bool], watch: Wat
                         vertices.len() as i32 - 1
                     }
                 };
-                let ends =
-                    [vertex(piece.from, piece.ends[0], sides[0]), vertex(piece.to, piece.ends[1], sides[1])];
+                let ends = [vertex(piece.from, piece.ends[0], sides[0]), vertex(piece.to, piece.ends[1], sides[1])];
                 found.graph.edges.push(ends);
                 found.numbers.push(door);
             }
