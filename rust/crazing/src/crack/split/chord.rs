@@ -12,8 +12,8 @@ const TRIES: usize = 6;
 const APART: f64 = 0.16;
 /// How far off the middle a wall may lie, in roots of the area, and how far it may turn, radians (both standard
 /// deviations).
-const OFF: f64 = 0.08;
-const TURN: f64 = 0.12;
+const OFF: f64 = 0.13;
+const TURN: f64 = 0.2;
 /// Pieces of a bent wall.
 const PIECES: usize = 8;
 /// A wall that leaves straighter than this (cosine) is not bent.
