@@ -12,6 +12,7 @@ from crazing.graph import PlanarGraph
 from crazing.maze import Maze, MazeStatistics, maze
 from crazing.render import Style, render
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
+from crazing.study import Study, compare_sizes
 from crazing.versions import algorithm_version, show_versions
 
 __all__ = [
@@ -26,11 +27,13 @@ __all__ = [
     "PlanarGraph",
     "QuadEdge",
     "Skeleton",
+    "Study",
     "Style",
     "__version__",
     "algorithm_version",
     "centerline",
     "compare",
+    "compare_sizes",
     "crack",
     "crust",
     "curve",
