@@ -15,10 +15,12 @@ from crazing.material import Material
 from crazing.maze import Maze, maze
 from crazing.maze_statistics import MazeStatistics
 from crazing.measure import measure
+from crazing.preview import preview
 from crazing.quad_edge import QuadEdge
 from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
 from crazing.rerun import rerun
+from crazing.shade import shade
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.statistics import CrackStatistics
 from crazing.streaming import write_texture
@@ -65,10 +67,12 @@ __all__ = [
     "poles",
     "preset",
     "presets",
+    "preview",
     "render",
     "rerun",
     "sample",
     "save_png",
+    "shade",
     "show_versions",
     "steps",
     "targets",
