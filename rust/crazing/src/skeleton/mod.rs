@@ -2,12 +2,14 @@
 
 mod boxes;
 mod branches;
+mod bumps;
 mod cost;
 mod curve;
 mod disc;
 mod far;
 mod flood;
 mod gabriel;
+mod gaps;
 mod links;
 mod local;
 mod longest;
@@ -27,7 +29,7 @@ pub use longest::longest;
 pub use nearest::nearest;
 pub use one_step::one_step;
 pub use poles::{Variant, poles, poles_axis};
-pub use rings::{inside, residuals};
+pub use rings::Rings;
 pub use second::{Second, second};
 
 use crate::diagram::{DiagramView, shared};
