@@ -233,7 +233,7 @@ def test_layers_follow_a_drag_of_two_thousand_points(opened: Opener) -> None:
     for mode in ("skeleton", "compare", "maze", "crack"):
         editor = opened(cz.sample.uniform(2000, rng=5))
         if mode == "skeleton":
-            for knob in ("delaunay", "voronoi", "poles", "curve"):
+            for knob in ("delaunay", "voronoi", "poles"):
                 editor.turn(knob, True)
         editor.mode(mode)
         editor.rest()
@@ -241,12 +241,12 @@ def test_layers_follow_a_drag_of_two_thousand_points(opened: Opener) -> None:
         editor.page.mouse.move(x, y)
         editor.page.mouse.down()
         taken = []
-        for i in range(12):
+        for i in range(9):
             editor.page.mouse.move(x + 2 * i, y + i)
             editor.rest()
             taken.append(float(editor.page.evaluate("() => document.querySelector('.crz').dataset.milliseconds")))
         editor.page.mouse.up()
-        times[mode] = float(np.median(taken[4:]))
+        times[mode] = float(np.median(taken[3:]))
         assert not np.array_equal(editor.points[1000], cz.sample.uniform(2000, rng=5)[1000])
     print(
         "milliseconds from a move to its drawing, 2,000 points:", {name: round(value) for name, value in times.items()}

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from crazing.crack import Crack
-from crazing.diagram import Diagram
+from crazing.diagram import Diagram, as_diagram, bounds_of
 from crazing.edit.knobs import OWN_PLATES, recipe_fields, recipes
 from crazing.material import Material, preset_material
 from crazing.recipe import Recipe
@@ -39,7 +39,12 @@ def crack_of(points: ArrayLike | Diagram, values: dict[str, Any]) -> Crack:
     recipe = recipe_of(values)
     if has_own_plates(values):
         return recipe.crack(period=(1.0, 1.0) if values["tile"] else None, rng=values["seed"])
-    return recipe.crack(points, rng=values["seed"])
+    return recipe.crack(points, bounds=_box(points), rng=values["seed"])
+
+
+def _box(points: ArrayLike | Diagram) -> tuple[float, float, float, float]:
+    """The bounds that a crack of points has by default; some steps want them told."""
+    return bounds_of(as_diagram(points), None)
 
 
 def material_of(values: dict[str, Any]) -> Material:
@@ -48,13 +53,16 @@ def material_of(values: dict[str, Any]) -> Material:
     return Material() if name == "thesis" else preset_material(name)
 
 
-def lines(values: dict[str, Any]) -> list[str]:
+def lines(values: dict[str, Any], points: NDArray[np.float64]) -> list[str]:
     """Python that makes the same crack and its picture."""
     start = "cz.Recipe()" if values["recipe"] == "thesis" else f"cz.preset({values['recipe']!r})"
     changes = ", ".join(f"{name}={value!r}" for name, value in _changes(values).items())
-    points = "points, " if not has_own_plates(values) else "period=(1.0, 1.0), " if values["tile"] else ""
+    if has_own_plates(values):
+        given = "period=(1.0, 1.0), " if values["tile"] else ""
+    else:
+        given = f"points, bounds={_box(points)}, "
     made = [f"recipe = {start}" + (f".replace({changes})" if changes else "")]
-    made.append(f"crack = recipe.crack({points}rng={values['seed']})")
+    made.append(f"crack = recipe.crack({given}rng={values['seed']})")
     if values["material"] == INK:
         return [*made, 'cz.save_png("crack.png", cz.render(crack, 1024))']
     name = values["recipe"] if values["material"] == "of the recipe" else values["material"]

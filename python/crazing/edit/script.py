@@ -45,7 +45,7 @@ def script(points: NDArray[np.float64], mode: str, values: dict[str, Any], sourc
     ]
     ...
     """
-    body = _MODES[mode](values)
+    body = cracks.lines(values, points) if mode == "crack" else _MODES[mode](values)
     names = ["import crazing as cz"]
     if values.get("cells") == "in the curve":
         names = [
@@ -122,4 +122,4 @@ def _maze(values: dict[str, Any]) -> list[str]:
     return lines
 
 
-_MODES = {"skeleton": _skeleton, "compare": _compare, "maze": _maze, "crack": cracks.lines}
+_MODES = {"skeleton": _skeleton, "compare": _compare, "maze": _maze}

@@ -400,7 +400,7 @@ class Editor {
     this.asked = performance.now();
     this.askedAtRest = this.resting;
     const preview = this.mode === "crack" ? (this.resting ? RESTING : this.moving) : 0;
-    return this.wire.ask({ kind: "layers", preview, moving: this.scene.dragging === true, ...this.#state() }, [this.bytes()]);
+    return this.wire.ask({ kind: "layers", preview, moving: this.scene.dragging === true || (this.mode === "crack" && !this.resting), ...this.#state() }, [this.bytes()]);
   }
 
   async #showLayers(answer) {
