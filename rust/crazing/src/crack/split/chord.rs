@@ -86,7 +86,8 @@ struct Hit {
 /// The nearest sides before and behind `from`.
 fn hits(polygon: &[Point], from: Point, way: Point) -> Option<[Hit; 2]> {
     let off = |p: Point| way[0] * (p[1] - from[1]) - way[1] * (p[0] - from[0]);
-    let (mut behind, mut before): (Option<(f64, Hit)>, Option<(f64, Hit)>) = (None, None);
+    let mut behind: Option<(f64, Hit)> = None;
+    let mut before: Option<(f64, Hit)> = None;
     for side in 0..polygon.len() {
         let (p, q) = (polygon[side], polygon[(side + 1) % polygon.len()]);
         let (s, t) = (off(p), off(q));
