@@ -158,12 +158,14 @@ def index_pairs(values: ArrayLike, name: str, *, limit: int) -> NDArray[np.int32
 
 
 def index_chains(values: Any, name: str, *, limit: int) -> NDArray[np.int32]:
-    """`values` as an (n, 2) int32 array of indices below `limit`: as it is, or neighbours in every one of its chains."""
+    """`values` as an (n, 2) int32 array of indices below `limit`: as it is, or neighbours in its chains."""
     try:
         array = np.asarray(values)
     except ValueError:
         array = None
-    if array is not None and (array.size == 0 or (array.ndim == 2 and array.shape[1] == 2) or array.dtype.kind not in "iuO"):
+    if array is not None and (
+        array.size == 0 or (array.ndim == 2 and array.shape[1] == 2) or array.dtype.kind not in "iuO"
+    ):
         return index_pairs(values, name, limit=limit)
     if not isinstance(values, Iterable) or np.ndim(next(iter(values))) != 1:
         raise ValueError(f"{name} is {_found(values)}; pairs of indices, or chains of them, are wanted")

@@ -14,8 +14,9 @@ from crazing.arguments import number, points_array
 from crazing.diagram import Diagram, diagram
 from crazing.errors import CrazingError, DegenerateInputError
 from crazing.graph import PlanarGraph
-from crazing.pruning import RESIDUAL
 
+#: Least part of its ring that an edge of the centreline spans.
+RESIDUAL = 0.025
 #: Points on the boundary by default: at least so many, and at most.
 FEWEST, MOST = 400, 250_000
 #: Parts of the mean width that default points are apart.

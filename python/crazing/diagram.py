@@ -75,8 +75,9 @@ class Diagram(Record):
             # Zeros that take no memory.
             given = np.int8(0) if getattr(self, name) is None else getattr(self, name)
             object.__setattr__(self, name, np.broadcast_to(np.asarray(given, dtype=np.int8), self.edges.shape))
-        constrained = np.bool_(False) if self.constrained is None else self.constrained
-        object.__setattr__(self, "constrained", np.broadcast_to(np.asarray(constrained, dtype=bool), len(self.edges)))
+        given = vars(self)["constrained"]
+        constrained = np.asarray(False if given is None else given, dtype=bool)
+        object.__setattr__(self, "constrained", np.broadcast_to(constrained, len(self.edges)))
         super().__post_init__()
 
     @property
@@ -87,7 +88,9 @@ class Diagram(Record):
     @cached_property
     def quad_edge(self) -> QuadEdge:
         """The edge table seen through Guibas and Stolfi's operators."""
-        return QuadEdge(self, _core.onext(self.arrays, None if self.period is None else np.ascontiguousarray(self.shifts)))
+        return QuadEdge(
+            self, _core.onext(self.arrays, None if self.period is None else np.ascontiguousarray(self.shifts))
+        )
 
     @property
     def delaunay(self) -> PlanarGraph:

@@ -135,9 +135,9 @@ def _step(d: Diagram, q: NDArray[np.int32], period: NDArray[np.float64]) -> NDAr
 
 
 def _following(d: Diagram, q: NDArray[np.int32]) -> NDArray[np.int32]:
-    """The next edge about the triangle on the left: Rot^-1 Onext Rot."""
+    """The next edge about the triangle on the left: first Rot^-1, then Onext, then Rot."""
     quad = d.quad_edge
-    return quad.rot(quad.sym(quad.onext(quad.rot(q))))
+    return quad.rot(quad.onext(quad.rot(quad.sym(q))))
 
 
 def _centroids(d: Diagram, q: NDArray[np.int32], period: NDArray[np.float64]) -> NDArray[np.float64]:

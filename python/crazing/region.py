@@ -81,7 +81,7 @@ class Region(Record):
         return (self._travelled(arc[1]) - self._travelled(arc[0])) % around or around
 
     def middle(self, arc: NDArray[np.float64], width: float) -> tuple[float, float, float]:
-        """The middle of an arc, as long as `width` at most: the places where it begins, where its own middle is, ends."""
+        """The middle of an arc, `width` long at most: where it begins, has its own middle, and ends."""
         first, end = self._ring(arc[0])
         start, around = self._along[first], self._along[end] - self._along[first]
         span = self.span(arc)
@@ -92,7 +92,7 @@ class Region(Record):
             at = start + length % around
             side = min(max(int(np.searchsorted(self._along, at, side="right")) - 1, first), end - 1)
             part = (at - self._along[side]) / (self._along[side + 1] - self._along[side])
-            return side + min(max(part, 0.0), 1 - 2.0**-40)
+            return float(side + min(max(part, 0.0), 1 - 2.0**-40))
 
         return place(middle - half), place(middle), place(middle + half)
 
@@ -105,27 +105,27 @@ class Region(Record):
 
     def opened(self, gaps: list[tuple[float, float]]) -> PlanarGraph:
         """The outline with gaps, each from one place to another."""
-        left = {}
+        left: dict[int, list[tuple[float, float]]] = {}
         for start, end in gaps:
             for side, low, high in self._sides(start, end):
-                cut = ((a, b) for a, b in left.get(side, [(0.0, 1.0)]))
-                left[side] = [(a, b) for p, q in cut for a, b in ((p, min(q, low)), (max(p, high), q)) if a < b]
+                parts = (
+                    (a, b) for p, q in left.get(side, [(0.0, 1.0)]) for a, b in ((p, min(q, low)), (max(p, high), q))
+                )
+                left[side] = [(a, b) for a, b in parts if a < b]
         outline = self.outline
         shut = np.ones(len(outline.edges), dtype=bool)
         shut[list(left)] = False
-        vertices, edges = list(outline.vertices[:0]), []
-        for side, parts in left.items():
-            for part in parts:
-                ends = []
-                for at, corner in zip(part, outline.edges[side].tolist(), strict=True):
-                    if at in (0.0, 1.0):
-                        ends.append(corner)
-                    else:
-                        ends.append(len(outline.vertices) + len(vertices))
-                        vertices.append(self.at(side + at))
-                edges.append(ends)
-        cut = np.array(edges, dtype=np.int32).reshape(-1, 2)
-        return PlanarGraph(np.vstack([outline.vertices, *vertices]), np.concatenate([outline.edges[shut], cut]))
+        vertices: list[NDArray[np.float64]] = []
+        edges: list[list[int]] = []
+        for side, part in ((side, part) for side, kept in left.items() for part in kept):
+            ends = outline.edges[side].tolist()
+            for i, at in enumerate(part):
+                if 0.0 < at < 1.0:
+                    ends[i] = len(outline.vertices) + len(vertices)
+                    vertices.append(self.at(side + at))
+            edges.append(ends)
+        added = np.array(edges, dtype=np.int32).reshape(-1, 2)
+        return PlanarGraph(np.vstack([outline.vertices, *vertices]), np.concatenate([outline.edges[shut], added]))
 
     def _sides(self, start: float, end: float) -> Iterator[tuple[int, float, float]]:
         """The sides from one place to another, each with its part between them."""

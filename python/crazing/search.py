@@ -15,7 +15,7 @@ from crazing import sample
 Objective: TypeAlias = Callable[[NDArray[np.float64]], float]
 Progress: TypeAlias = Callable[[int, float], Any]
 
-#: Trials a generation, and the best of them that the next one is drawn about.
+#: Trials a generation, and the best of them that the next one is drawn about; as many are remembered in all.
 TRIALS, ELITE = 16, 4
 #: What the spread keeps of its old self, so that one lucky generation does not end the search, and its smallest value.
 INERTIA, LEAST_SPREAD = 0.4, 0.015
@@ -54,8 +54,8 @@ def minimize(
     Returns
     -------
     list of (d,) float64
-        Candidates, of which the caller may choose by a better look: the best point tried, the middle of the last
-        generation, the start.
+        Candidates, of which the caller may choose by a better look: the best points tried, best first, the middle of
+        the last generation, the start.
 
     Examples
     --------
@@ -71,7 +71,7 @@ def minimize(
     seed = np.random.default_rng(rng)
     ending = None if seconds is None else time.monotonic() + seconds
     middle, width = np.asarray(start, dtype=np.float64), np.asarray(spread, dtype=np.float64)
-    first, best, smallest = middle, middle, np.inf
+    first, kept = middle, [(np.inf, 0, middle)]
     spent = 0
     while spent < budget:
         points = _drawn(middle, width, seed)
@@ -81,18 +81,17 @@ def minimize(
         for i, point in enumerate(points[: budget - spent]):
             values[i] = objective(point)
             spent += 1
-            if values[i] < smallest:
-                best, smallest = point, float(values[i])
+            kept = sorted([*kept, (float(values[i]), spent, point)], key=lambda each: each[:2])[:ELITE]
             if progress is not None:
-                progress(spent, smallest)
+                progress(spent, kept[0][0])
             if ending is not None and time.monotonic() > ending:
-                return [best, middle, first]
+                return [*(each[2] for each in kept), middle, first]
         if np.isfinite(values).sum() >= ELITE:
             elite = points[np.argsort(values, kind="stable")[:ELITE]]
             middle = elite.mean(axis=0)
             fresh = INERTIA * width + (1 - INERTIA) * elite.std(axis=0)
             width = np.where(width > 0, np.maximum(fresh, LEAST_SPREAD), 0.0)
-    return [best, middle, first]
+    return [*(each[2] for each in kept), middle, first]
 
 
 def _drawn(middle: NDArray[np.float64], width: NDArray[np.float64], seed: np.random.Generator) -> NDArray[np.float64]:

@@ -73,7 +73,8 @@ class Skeleton(Record):
         """(m,) bool, the axis edges inside the closed rings of the crust, over the diagram's edges.
 
         Triangles are flooded from infinity, sides change across rings. Where the crust is not made of rings alone,
-        the rings are those of :func:`crazing.curve` on the same diagram. For an axis without a mask these are all
+        the rings are those of :func:`crazing.curve` on the same diagram; a line whose ends are no more than twelve
+        mean steps and a tenth of its length apart counts as closed. For an axis without a mask these are all
         dual edges inside.
 
         Examples
@@ -125,12 +126,15 @@ class Skeleton(Record):
         chord: float | None = None,
         length: float | None = None,
         ratio: float | None = None,
+        height: float | None = None,
         retract: int | None = None,
     ) -> Skeleton:
         """The same skeleton with an axis without hairs.
 
-        What is given is done in the order of the parameters; what is not given is not done. If nothing is, it is
-        the arc residual of 0.025.
+        What is given is done; what is not given is not done. If nothing is, it is an arc residual of 0.0125, and then
+        a height of six times the noise of the samples, which is estimated on every closed ring of crust from the
+        change of its curvature from sample to sample: nothing on a smooth curve or a polygon, about a pixel's stairs
+        on the contour of a mask.
 
         Parameters
         ----------
@@ -145,6 +149,10 @@ class Skeleton(Record):
         ratio : float, optional
             Least ratio of what a branch that ends freely reaches, its length and the radius at its tip, to the
             radius at its junction; 1 is a branch that adds nothing.
+        height : float, optional
+            Least height, in data units, by which the crust between the two sites of an edge at a tip rises above the
+            circle about the end of that edge; tips go from outside in until one rises so far. Edges whose sites are
+            a quarter of their ring apart stay.
         retract : int, optional
             How many times every leaf is retracted to its parent; the sample at its tip is moved to the parent's
             circle.
@@ -163,10 +171,17 @@ class Skeleton(Record):
         Notes
         -----
         Measured on 1,000 samples of an ellipse and of a flower with 13 petals, moved by up to a quarter of their
-        spacing: the inner one-step axis has about 350 leaves in one component, the edge-filtered one falls into a
-        hundred components; pruned by the default, the one-step axis has 2 and 13 leaves. Sources: Ogniewicz, Kübler:
-        Hierarchic Voronoi Skeletons, 1995 (arc residual); Chazal, Lieutier: The lambda-medial axis, 2005 (chord);
-        Gold, Thibault: Map generalization by skeleton retraction, 2001.
+        spacing: the inner one-step axis has about 350 leaves in one component. The edge-filtered axis looks cleaner
+        without noise because it drops edges; with it, it falls into a hundred components, which no pruning puts
+        together. Pruned by the default, the one-step axis has exactly 2 and 13 leaves, for 1,000 and 3,000 samples,
+        also when the noise is normal with that deviation; at 0.4 of the spacing samples change places along the
+        curve, and the default fails as often as not. The axis of 1,000 samples is then at most 1.7 times the noise
+        from the true one, 2.8 times if that is normal, and its tips are cut by at most 2.9 % of the diameter. Normal
+        noise on more samples leaves a tip askew now and then.
+
+        Sources: Ogniewicz, Kübler: Hierarchic Voronoi Skeletons, 1995 (arc residual); Chazal, Lieutier: The
+        lambda-medial axis, 2005 (chord); Gold, Thibault: Map generalization by skeleton retraction, 2001. The height
+        is our own.
 
         Examples
         --------
@@ -177,7 +192,7 @@ class Skeleton(Record):
         >>> s.inner.leaves > 20, s.prune().inner.leaves
         (True, 2)
         """
-        limits = pruning.Limits(residual=residual, chord=chord, length=length, ratio=ratio, retract=retract)
+        limits = pruning.Limits(residual, chord, length, ratio, height, retract)
         return pruning.prune(self, limits)
 
     @cached_property

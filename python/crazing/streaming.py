@@ -36,8 +36,8 @@ def write_texture(
     """Draw a texture of any size straight into files, in bounded memory.
 
     The maps are drawn in bands of 16 to 256 rows, as many as fit 128 MiB, and a band is written while the next one
-    is drawn. Memory stays below 768 MiB besides the pattern while 16 rows of all maps fit those 128 MiB: up to a side
-    of 170,000 pixels for every map, two million for one of floats. EXR alone is collected whole. The samples are
+    is drawn. Memory stays below 768 MiB besides the pattern while 16 rows of all maps fit those 128 MiB: up to a width
+    of 140,000 pixels for every map, a million for one. EXR alone is collected whole. The samples are
     those of :meth:`Texture.save`, bit for bit.
 
     A run that is stopped leaves the folder ``.NAME.part`` beside `path`, with the finished bands of every file. The

@@ -80,7 +80,7 @@ def _png_text(file: BinaryIO) -> str | None:
         data = file.read(size)
         checksum = file.read(4)
         if struct.pack(">I", zlib.crc32(kind + data)) != checksum:
-            raise CrazingError("a chunk does not have its checksum")
+            raise ValueError("a chunk does not have its checksum")
         keyword, _, rest = data.partition(b"\0")
         if kind == b"tEXt" and keyword == KEY.encode():
             return rest.decode("latin-1")

@@ -33,7 +33,7 @@ mod _core {
         constrained_diagram, depths, diagram, dual_edges, onext, periodic_diagram, representatives, tile,
     };
     #[pymodule_export]
-    use crate::graph::{graph_compact, graph_components, graph_degrees, graph_polylines};
+    use crate::graph::{graph_compact, graph_components, graph_degrees, graph_distances, graph_polylines};
     #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]
@@ -53,6 +53,7 @@ mod _core {
     #[pymodule_export]
     use crate::skeleton::{
         axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
+        without_bumps,
     };
     #[pymodule_export]
     use crate::texture::{plates, texture};

@@ -43,9 +43,27 @@ pub(crate) fn sides<'py>(
 ) -> PyResult<Sides<'py>> {
     let view = arrays.view()?;
     let mask = column(&mask, "mask", view.edges.len())?;
-    let (inside, residuals) =
-        detached(py, |watch| Ok((skeleton::inside(view, mask, watch)?, skeleton::residuals(view, mask, watch)?)))?;
+    let (inside, residuals) = detached(py, |watch| {
+        let rings = skeleton::Rings::of(view, mask, watch)?;
+        Ok((rings.inside(watch)?, rings.residuals()))
+    })?;
     Ok((PyArray1::from_vec(py, inside), PyArray1::from_vec(py, residuals)))
+}
+
+/// An axis without the tips that are no higher than `least`, or than `levels` of the noise of the samples.
+#[pyfunction]
+pub(crate) fn without_bumps<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    mask: PyReadonlyArray1<'py, bool>,
+    axis: PyReadonlyArray1<'py, bool>,
+    least: f64,
+    levels: f64,
+) -> PyResult<Mask<'py>> {
+    let view = arrays.view()?;
+    let (mask, axis) = (column(&mask, "mask", view.edges.len())?, column(&axis, "axis", view.edges.len())?);
+    let kept = detached(py, |watch| skeleton::Rings::of(view, mask, watch)?.without_bumps(axis, least, levels, watch))?;
+    Ok(PyArray1::from_vec(py, kept))
 }
 
 /// Which edges are left when branches that measure less are taken off.

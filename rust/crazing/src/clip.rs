@@ -103,11 +103,7 @@ impl<'a> Ways<'a> {
         let [xmin, ymin, xmax, ymax] = self.bounds;
         let [from, to] = line.within(self.scale.down([xmin, ymin]), self.scale.down([xmax, ymax]))?;
         let end = |t: f64, own: f64, triangle: i32| {
-            if triangle != -1 && t == own {
-                self.view.vertices[triangle as usize]
-            } else {
-                self.scale.up(line.at(t))
-            }
+            if triangle != -1 && t == own { self.view.vertices[triangle as usize] } else { self.scale.up(line.at(t)) }
         };
         let [right, left] = self.view.dual_edges[k];
         let ends = [end(from, line.ends[0], right), end(to, line.ends[1], left)];

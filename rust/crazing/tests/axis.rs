@@ -5,7 +5,7 @@ mod families;
 
 use crazing::diagram::diagram;
 use crazing::graph::{components, degrees};
-use crazing::skeleton::{Measure, axis_edges, branches, curve, inside, longest, one_step, residuals};
+use crazing::skeleton::{Measure, Rings, axis_edges, branches, curve, longest, one_step};
 use crazing::{Diagram, Error, Point, Watch};
 use families::{any_points, family, lattice, shuffled};
 use proptest::prelude::*;
@@ -30,7 +30,7 @@ fn degenerate_input_and_interrupts_are_errors() {
     assert_eq!(curve(line.view(), Watch::default()), Err(Error::Collinear { found: 9 }));
     let d = of(&family("uniform", 60, 1));
     assert_eq!(curve(d.view(), Watch::new(&|| false)), Err(Error::Interrupted));
-    let short = inside(d.view(), &[true], Watch::default());
+    let short = Rings::of(d.view(), &[true], Watch::default()).map(|_| ());
     assert!(matches!(short, Err(Error::BadLength { array: "mask", found: 1, .. })));
 }
 
@@ -38,7 +38,7 @@ fn degenerate_input_and_interrupts_are_errors() {
 fn inside_of_nested_circles_alternates() {
     let d = of(&family("two circles", 400, 0));
     let crust = one_step(d.view()).unwrap();
-    let inner = inside(d.view(), &crust, Watch::default()).unwrap();
+    let inner = Rings::of(d.view(), &crust, Watch::default()).unwrap().inside(Watch::default()).unwrap();
     for (dual, _) in d.dual_edges.iter().zip(&inner).filter(|(_, inner)| **inner) {
         let [x, y] = d.vertices[dual[0] as usize];
         assert!((x.hypot(y) - 1.5).abs() < 0.01);
@@ -50,10 +50,44 @@ fn inside_of_nested_circles_alternates() {
 fn residuals_are_ways_along_the_ring() {
     let d = of(&family("circle", 60, 0));
     let crust = one_step(d.view()).unwrap();
-    let found = residuals(d.view(), &crust, Watch::default()).unwrap();
+    let found = Rings::of(d.view(), &crust, Watch::default()).unwrap().residuals();
     for (&[p, q], residual) in d.edges.iter().zip(found) {
         let steps = (p - q).abs().min(60 - (p - q).abs());
         assert!((residual - f64::from(steps) / 60.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_gap_of_a_few_steps_is_closed_and_a_wide_one_is_not() {
+    let d = of(&family("circle", 200, 0));
+    let crust = one_step(d.view()).unwrap();
+    let inner = |missing: i32| {
+        let there = |&[p, q]: &[i32; 2]| p.min(q) >= missing || (p.min(q) == 0 && p.max(q) == 199);
+        let mask: Vec<bool> = d.edges.iter().zip(&crust).map(|(ends, &kept)| kept && there(ends)).collect();
+        let rings = Rings::of(d.view(), &mask, Watch::default()).unwrap();
+        rings.inside(Watch::default()).unwrap().into_iter().filter(|&inner| inner).count()
+    };
+    // The bridge may cut off the few samples it passes.
+    assert!(inner(0) > 150 && inner(5) + 10 > inner(0));
+    assert_eq!(inner(60), 0);
+}
+
+#[test]
+fn a_splinter_beside_a_ring_is_no_island() {
+    let mut points = family("circle", 200, 0);
+    let count = points.len();
+    points.extend([[0.99, 0.001], [0.98, 0.006], [0.98, -0.005]]);
+    points.push([0.0, 0.0]);
+    let d = of(&points);
+    let in_ring = |&[p, q]: &[i32; 2]| [p, q].iter().all(|&site| (site as usize) < count);
+    let splinter = |&[p, q]: &[i32; 2]| [p, q].iter().all(|&site| (count..count + 3).contains(&(site as usize)));
+    let near = |&[p, q]: &[i32; 2]| matches!((p - q).abs(), 1 | 199);
+    let mask: Vec<bool> = d.edges.iter().map(|e| (in_ring(e) && near(e)) || splinter(e)).collect();
+    let found = Rings::of(d.view(), &mask, Watch::default()).unwrap().residuals();
+    let centre = count as i32 + 3;
+    for (ends, residual) in d.edges.iter().zip(found) {
+        // The sample in the middle is on its own, far from any line; those of the splinter stand on the ring.
+        assert_eq!(residual.is_infinite(), ends.contains(&centre));
     }
 }
 

@@ -35,9 +35,8 @@ fn lattice(n: std::ops::Range<usize>) -> impl Strategy<Value = Vec<Point>> {
 /// Squares of a lattice, each a ring: they share sides and corners in every way.
 fn squares() -> impl Strategy<Value = (Vec<Point>, Vec<i64>)> {
     prop::collection::btree_set((0..6_i32, 0..6_i32), 1..20).prop_map(|squares| {
-        let corners = |&(x, y): &(i32, i32)| {
-            [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(a, b)| [f64::from(x + a), f64::from(y + b)])
-        };
+        let corners =
+            |&(x, y): &(i32, i32)| [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(a, b)| [f64::from(x + a), f64::from(y + b)]);
         let coords: Vec<Point> = squares.iter().flat_map(corners).collect();
         let offsets = (0..=squares.len() as i64).map(|i| 4 * i).collect();
         (coords, offsets)

@@ -124,6 +124,9 @@ impl<'a> Guard<'a> {
     fn allows(&self, vertex: usize, to: Point) -> bool {
         to != self.points[vertex]
             && self.at.at(vertex).iter().all(|&row| {
+                if self.is_clear(row as usize, vertex as i32, to) {
+                    return true;
+                }
                 let kite = self.fence.kites[row as usize];
                 let end = |corner: usize| kite[corner] == vertex as i32;
                 // Vertex and row of a kite may be the same twice: an edge from a place to a copy of it.
@@ -133,8 +136,30 @@ impl<'a> Guard<'a> {
             })
     }
 
-    /// Whether a triangle of a kite stays counter-clockwise, and is not flattened.
+    /// Whether both triangles of a kite are far from flat after a move: most are, and then no exact arithmetic is needed.
     #[inline]
+    fn is_clear(&self, row: usize, vertex: i32, to: Point) -> bool {
+        let kite = self.fence.kites[row];
+        if kite[2] < 0 || kite[3] < 0 {
+            return false;
+        }
+        let [a, b, left, right] = [0, 1, 2, 3].map(|i| {
+            let p = if kite[i] == vertex { to } else { self.points[kite[i] as usize] };
+            self.moved(row, i, p)
+        });
+        let from = |p: Point| [p[0] - a[0], p[1] - a[1]];
+        let (along, left, right) = (from(b), from(left), from(right));
+        let square = |p: Point| p[0] * p[0] + p[1] * p[1];
+        // Four times the longer of two sides is more than the square of the third.
+        let clear = |side: Point, sign: f64| {
+            let (p, q) = (along[0] * side[1], along[1] * side[0]);
+            let area = sign * (p - q);
+            area > SURE * (p.abs() + q.abs()) && area >= 4.0 * FLAT * square(along).max(square(side))
+        };
+        clear(left, 1.0) && clear(right, -1.0)
+    }
+
+    /// Whether a triangle of a kite stays counter-clockwise, and is not flattened.
     fn stays(&self, row: usize, triangle: [usize; 3], vertex: usize, to: Point) -> bool {
         let kite = self.fence.kites[row];
         if kite[triangle[2]] < 0 {
@@ -145,11 +170,6 @@ impl<'a> Guard<'a> {
         let [a, b, c] = after;
         let square = |p: Point, q: Point| (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
         let floor = FLAT * square(a, b).max(square(b, c)).max(square(c, a));
-        // Most triangles are far from flat: their sign needs no exact arithmetic.
-        let (left, right) = ((b[0] - a[0]) * (c[1] - a[1]), (b[1] - a[1]) * (c[0] - a[0]));
-        if left - right >= floor && left - right > SURE * (left.abs() + right.abs()) {
-            return true;
-        }
         let area = orientation(a, b, c);
         let before = triangle.map(|i| self.moved(row, i, point(i)));
         area > 0.0 && (area >= floor || area >= orientation(before[0], before[1], before[2]))

@@ -67,24 +67,48 @@ pub fn roughen(
     }
     let vertices = wander(net, fence, how, key, watch)?;
     let moved = NetView { vertices: &vertices, ..net };
-    let halvings = parallel::map(net.edges.len(), |k| halvings(moved, fence, how, k));
+    watch.poll()?;
+    let inner = parallel::map(net.edges.len(), |k| pieces(moved, fence, how, key, k));
     let mut starts = vec![0_usize];
-    for (k, &depth) in halvings.iter().enumerate() {
-        starts.push(starts[k] + (1 << depth));
+    for (k, inner) in inner.iter().enumerate() {
+        starts.push(starts[k] + 1 + inner.len());
     }
     let found = starts[net.edges.len()];
     const MOST: usize = (1 << 30) - 1;
     if found > MOST {
         return Err(Error::TooMany { what: "pieces of rough edges; a larger grain is wanted", found, limit: MOST });
     }
-    watch.poll()?;
-    let inner = parallel::map(net.edges.len(), |k| pieces(moved, fence, how, key, k, halvings[k]));
     Ok(assemble(moved, partner, &starts, &inner))
 }
 
-/// A standard normal number of its own for every place.
-fn normal(key: Key, edge: usize, index: usize, level: u64) -> f64 {
-    quantile::normal(open_unit(block(key, [edge as u64, index as u64, stream::ROUGHNESS, level])[0]))
+/// Standard normal numbers, one of its own for every place on an edge.
+struct Noise {
+    key: Key,
+    edge: u64,
+    level: u64,
+    block: u64,
+    words: [u64; 4],
+}
+
+impl Noise {
+    fn of(key: Key, edge: usize, level: u64) -> Self {
+        let words = block(key, [edge as u64, 0, stream::ROUGHNESS, level]);
+        Self { key, edge: edge as u64, level, block: 0, words }
+    }
+
+    fn at(&mut self, index: usize) -> f64 {
+        if index as u64 / 4 != self.block {
+            self.block = index as u64 / 4;
+            self.words = block(self.key, [self.edge, self.block, stream::ROUGHNESS, self.level]);
+        }
+        quantile::normal(open_unit(self.words[index % 4]))
+    }
+}
+
+/// Length of a vector; only those that would over- or underflow take the slow way.
+fn length([x, y]: Point) -> f64 {
+    let square = x * x + y * y;
+    if (1e-280..1e280).contains(&square) { square.sqrt() } else { libm::hypot(x, y) }
 }
 
 impl Roughness {
@@ -99,13 +123,7 @@ impl Roughness {
 }
 
 /// Moves the vertices of degree 2 across their crack.
-fn wander(
-    net: NetView<'_>,
-    fence: FenceView<'_>,
-    how: Roughness,
-    key: Key,
-    watch: Watch<'_>,
-) -> Result<Vec<Point>> {
+fn wander(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, watch: Watch<'_>) -> Result<Vec<Point>> {
     let ends = Ends::of(net);
     let mut guard = Guard::of(net, fence);
     let mut seen = vec![false; net.edges.len()];
@@ -135,13 +153,7 @@ fn wander(
 }
 
 /// The ends to enter edges by, from one node to the next, or once around a ring.
-fn chain(
-    net: NetView<'_>,
-    ends: &Ends,
-    start: u32,
-    seen: &mut [bool],
-    is_node: impl Fn(usize) -> bool,
-) -> Vec<u32> {
+fn chain(net: NetView<'_>, ends: &Ends, start: u32, seen: &mut [bool], is_node: impl Fn(usize) -> bool) -> Vec<u32> {
     let (mut chain, mut end) = (Vec::new(), start);
     while !std::mem::replace(&mut seen[end as usize / 2], true) {
         chain.push(end);
@@ -162,6 +174,7 @@ fn bridge(net: NetView<'_>, how: Roughness, key: Key, chain: &[u32]) -> Vec<f64>
         along.push(along[i] + net.length(end as usize / 2));
     }
     let mut heights = vec![0.0; along.len()];
+    let mut noise = Noise::of(key, chain[0] as usize, 1);
     let mut stretches = vec![(0, chain.len())];
     while let Some((from, to)) = stretches.pop() {
         if to - from < 2 {
@@ -171,7 +184,7 @@ fn bridge(net: NetView<'_>, how: Roughness, key: Key, chain: &[u32]) -> Vec<f64>
         let part = if length > 0.0 { (along[middle] - along[from]) / length } else { 0.5 };
         let spread = how.deviation(length) * 2.0 * (part * (1.0 - part)).max(0.0).sqrt();
         let between = heights[from] + part * (heights[to] - heights[from]);
-        heights[middle] = between + spread * normal(key, chain[0] as usize, middle, 1);
+        heights[middle] = between + spread * noise.at(middle);
         stretches.push((from, middle));
         stretches.push((middle, to));
     }
@@ -179,14 +192,13 @@ fn bridge(net: NetView<'_>, how: Roughness, key: Key, chain: &[u32]) -> Vec<f64>
 }
 
 /// How often an edge is halved.
-fn halvings(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, edge: usize) -> u32 {
-    let (length, room) = (net.length(edge), Room::of(net, fence, edge));
+fn halvings(room: &Room, how: Roughness) -> u32 {
     let across = room.sides[0][1].max(room.sides[1][1]);
-    if !(how.grain > 0.0 && length.is_finite() && across > THIN * length) || how.amplitude == 0.0 {
+    if !(how.grain > 0.0 && room.length.is_finite() && across > THIN * room.length) || how.amplitude == 0.0 {
         return 0;
     }
     let mut depth = 0;
-    while depth < DEEPEST && length > how.grain * f64::from(1 << depth) {
+    while depth < DEEPEST && room.length > how.grain * f64::from(1 << depth) {
         depth += 1;
     }
     depth
@@ -202,7 +214,7 @@ impl Room {
     fn of(net: NetView<'_>, fence: FenceView<'_>, edge: usize) -> Self {
         let [a, b] = net.ends(edge);
         let (x, y) = (b[0] - a[0], b[1] - a[1]);
-        let length = libm::hypot(x, y);
+        let length = self::length([x, y]);
         let side = |side: usize, sign: f64| {
             let corner = fence.kites[edge][2 + side];
             if corner < 0 || length == 0.0 {
@@ -212,7 +224,12 @@ impl Room {
             let place = if at < net.vertices.len() { net.vertices[at] } else { fence.anchors[at - net.vertices.len()] };
             let shift = fence.shifts.get(edge).map_or([0; 2], |s| [s[2 + 2 * side], s[3 + 2 * side]]);
             let apex = net.moved(place, shift);
-            let (u, v) = (apex[0] - a[0], apex[1] - a[1]);
+            let mut away = [apex[0] - a[0], apex[1] - a[1]];
+            if at < net.vertices.len() {
+                // A triangle between vertices may be about three edges: each has the third up to the middle.
+                away = [(away[0] + x) / 3.0, (away[1] + y) / 3.0];
+            }
+            let [u, v] = away;
             [(u * x + v * y) / length, (sign * (x * v - y * u) / length).max(0.0)]
         };
         Self { length, sides: [side(0, 1.0), side(1, -1.0)] }
@@ -229,20 +246,23 @@ impl Room {
 }
 
 /// The places of the inner vertices of an edge.
-fn pieces(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, edge: usize, depth: u32) -> Vec<Point> {
+fn pieces(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, edge: usize) -> Vec<Point> {
+    let room = Room::of(net, fence, edge);
+    let depth = halvings(&room, how);
     if depth == 0 {
         return Vec::new();
     }
     let count = 1_usize << depth;
-    let room = Room::of(net, fence, edge);
-    let mut heights = vec![0.0; count + 1];
+    let mut noise = Noise::of(key, edge, 2);
+    let (mut spread, next) = (how.deviation(room.length), libm::exp2(-how.hurst));
+    let mut heights = [0.0; (1 << DEEPEST) + 1];
     for level in 0..depth {
         let stretch = count >> level;
-        let spread = how.deviation(room.length / f64::from(1 << level));
         for middle in (stretch / 2..count).step_by(stretch) {
             let between = 0.5 * (heights[middle - stretch / 2] + heights[middle + stretch / 2]);
-            heights[middle] = between + spread * normal(key, edge, middle, 2);
+            heights[middle] = between + spread * noise.at(middle);
         }
+        spread *= next;
     }
     let [a, b] = net.ends(edge);
     let (x, y) = ((b[0] - a[0]) / room.length, (b[1] - a[1]) / room.length);

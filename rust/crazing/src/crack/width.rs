@@ -76,15 +76,17 @@ pub fn widths(net: NetView<'_>, strands: &Strands, profile: Profile, key: Key) -
             tips: [tip(first), tip(last ^ 1)],
             abutting: profile.abutting,
         };
-        let mut run = 0.0;
-        let at = |run: f64, end: u32| {
-            shape.at(run) * along(&profile, key, strand, run) * faded(net, &profile, net.vertices[net.vertex(end)])
-        };
+        let mut uneven = Uneven::of(&profile, key, strand);
+        let mut at =
+            |run: f64, end: u32| shape.at(run) * uneven.at(run) * faded(net, &profile, net.vertices[net.vertex(end)]);
+        let (mut run, mut before) = (0.0, at(0.0, first));
         for &entry in entries {
             let edge = entry as usize / 2;
-            widths[edge][entry as usize % 2] = at(run, entry);
             run += net.length(edge);
-            widths[edge][1 - entry as usize % 2] = at(run, entry ^ 1);
+            let after = at(run, entry ^ 1);
+            widths[edge][entry as usize % 2] = before;
+            widths[edge][1 - entry as usize % 2] = after;
+            before = after;
         }
     }
     Ok(widths)
@@ -101,9 +103,7 @@ fn check(profile: &Profile) -> Result<()> {
         ("fade", profile.fade),
     ];
     match values.into_iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0)) {
-        Some((name, value)) => {
-            Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" })
-        }
+        Some((name, value)) => Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" }),
         None => Ok(()),
     }
 }
@@ -118,13 +118,34 @@ fn factor(spread: f64, key: Key, strand: usize, knot: u64) -> f64 {
 }
 
 /// How width changes along a strand: even between knots one unit apart.
-fn along(profile: &Profile, key: Key, strand: usize, run: f64) -> f64 {
-    if profile.unevenness == 0.0 || profile.unit <= 0.0 {
-        return 1.0;
+struct Uneven {
+    spread: f64,
+    unit: f64,
+    key: Key,
+    strand: usize,
+    knot: u64,
+    /// The factors at the knot and the next.
+    ends: [f64; 2],
+}
+
+impl Uneven {
+    fn of(profile: &Profile, key: Key, strand: usize) -> Self {
+        let spread = if profile.unit > 0.0 { 0.5 * profile.unevenness } else { 0.0 };
+        let ends = [1, 2].map(|knot| factor(spread, key, strand, knot));
+        Self { spread, unit: profile.unit, key, strand, knot: 0, ends }
     }
-    let (knot, part) = ((run / profile.unit).floor(), (run / profile.unit).fract());
-    let [a, b] = [1, 2].map(|next| factor(0.5 * profile.unevenness, key, strand, knot as u64 + next));
-    a + part * (b - a)
+
+    fn at(&mut self, run: f64) -> f64 {
+        if self.spread == 0.0 {
+            return 1.0;
+        }
+        let whole = (run / self.unit).floor();
+        if whole as u64 != self.knot {
+            self.knot = whole as u64;
+            self.ends = [1, 2].map(|next| factor(self.spread, self.key, self.strand, self.knot + next));
+        }
+        self.ends[0] + (run / self.unit - whole) * (self.ends[1] - self.ends[0])
+    }
 }
 
 fn faded(net: NetView<'_>, profile: &Profile, p: Point) -> f64 {

@@ -1,9 +1,9 @@
 //! Diagrams with edges that must be there.
 
+use super::Diagram;
 use super::build::{check_points, finished, merge_scaled};
 use super::delaunay::triangulate_constrained;
 use super::sweep::check_apart;
-use super::Diagram;
 use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};
 use crate::watch::Watch;

@@ -16,13 +16,14 @@ mod vertices;
 pub use build::diagram;
 pub(crate) use build::triangulate_near_one;
 pub use constrained::{ConstrainedDiagram, constrained};
-pub(crate) use order::hilbert as curve_order;
 pub use depths::depths;
+pub(crate) use order::hilbert as curve_order;
 pub use order::insertion as insertion_order;
 pub use periodic::{PeriodicDiagram, periodic};
 pub use sweep::check_apart;
 pub use tile::tile;
 pub use vertices::representatives;
+pub(crate) use vertices::shared;
 
 use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};

@@ -99,7 +99,9 @@ pub fn carve(
 /// A cell with a door, each as likely as the other; None when there is none.
 pub fn cell_with_door(doors: Doors<'_>, key: Key) -> Option<usize> {
     let mut with_door = vec![false; doors.cells];
-    for sides in doors.sides.iter().zip(doors.door).filter(|(sides, door)| **door && !sides.contains(&-1)).map(|row| row.0) {
+    for sides in
+        doors.sides.iter().zip(doors.door).filter(|(sides, door)| **door && !sides.contains(&-1)).map(|row| row.0)
+    {
         sides.iter().for_each(|&cell| with_door[cell as usize] = true);
     }
     let count = with_door.iter().filter(|&&with| with).count();

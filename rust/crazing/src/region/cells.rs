@@ -29,11 +29,16 @@ pub struct Cells {
 /// The cells of `view` within `region`.
 ///
 /// # Errors
-/// [`crate::Error::Interrupted`].
+/// [`crate::Error::BadValue`] for sites too far away to be multiplied; [`crate::Error::Interrupted`].
 pub fn cells(view: DiagramView<'_>, region: &Region, watch: Watch<'_>) -> Result<Cells> {
     let chains = Chains::of(view, region, watch)?;
     let mut cells = Cells {
-        sides: view.edges.iter().zip(&chains.inside).map(|(&ends, &inside)| if inside { ends } else { [-1; 2] }).collect(),
+        sides: view
+            .edges
+            .iter()
+            .zip(&chains.inside)
+            .map(|(&ends, &inside)| if inside { ends } else { [-1; 2] })
+            .collect(),
         ..Cells::default()
     };
     // Where the further doors of each cut start, one before their first.
@@ -48,7 +53,13 @@ pub fn cells(view: DiagramView<'_>, region: &Region, watch: Watch<'_>) -> Result
     let around = around(view, &chains);
     let is_outer = outer(region);
     let mut own = chains.chains.as_slice();
-    let mut floor = Floor { view, chains: &chains, further: &further, tokens: Vec::new(), token_of: vec![0; chains.crossings.len()] };
+    let mut floor = Floor {
+        view,
+        chains: &chains,
+        further: &further,
+        tokens: Vec::new(),
+        token_of: vec![0; chains.crossings.len()],
+    };
     for (step, rows) in around.chunk_by(|a, b| a.0 == b.0).enumerate() {
         watch.poll_at(step)?;
         let site = rows[0].0;
@@ -154,7 +165,9 @@ impl Floor<'_> {
                 f64::from(crossing.side) + crossing.at.clamp(0.0, 1.0 - f64::EPSILON)
             };
             let side = self.chains.crossings[chain.from as usize].side;
-            if let Some(&(_, number)) = numbers.iter().find(|(other, _)| *other == set).filter(|_| is_outer[side as usize]) {
+            if let Some(&(_, number)) =
+                numbers.iter().find(|(other, _)| *other == set).filter(|_| is_outer[side as usize])
+            {
                 cells.rim.push(number);
                 cells.arcs.push([at(chain.from), at(chain.to)]);
             }

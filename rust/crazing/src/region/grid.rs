@@ -68,8 +68,11 @@ impl Grid {
         rows.flat_map(move |row| {
             // The part of the segment in this row; beyond the grid, in the row at its rim.
             let bottom = if row == 0 { f64::NEG_INFINITY } else { self.low[1] + row as f64 * self.step[1] - room[1] };
-            let top =
-                if row + 1 == self.count { f64::INFINITY } else { bottom.max(self.low[1]) + self.step[1] + 3.0 * room[1] };
+            let top = if row + 1 == self.count {
+                f64::INFINITY
+            } else {
+                bottom.max(self.low[1]) + self.step[1] + 3.0 * room[1]
+            };
             let at = |y: f64, otherwise: f64| {
                 let part = ((y - low[1]) / rise).clamp(0.0, 1.0);
                 if is_one || part.is_nan() { otherwise } else { low[0] + part * (high[0] - low[0]) }

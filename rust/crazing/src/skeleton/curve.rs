@@ -35,19 +35,20 @@ pub fn curve(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Vec<bool>> {
     let mut amiss: Vec<usize> = (0..draft.sites.len()).filter(|&v| draft.is_amiss(v)).collect();
     let doubtful: Vec<usize> = amiss.iter().copied().filter(|&v| draft.ends(v).count() != 2).collect();
     draft.thin(&crust);
-    loop {
-        let mut changed = false;
+    draft.settle();
+    while !amiss.is_empty() {
         for &v in &amiss {
             watch.poll()?;
-            changed |= draft.improve(v);
+            draft.improve(v);
         }
-        if !changed {
-            return Ok(draft.chosen);
-        }
-        amiss = (0..draft.sites.len()).filter(|&v| draft.is_amiss(v)).chain(doubtful.iter().copied()).collect();
+        // Where nothing has changed since it was last looked at, nothing would be found.
+        let fresh = |v: &usize| draft.fresh[*v];
+        let again = (0..draft.sites.len()).filter(fresh).filter(|&v| draft.is_amiss(v));
+        amiss = again.chain(doubtful.iter().copied().filter(fresh)).collect();
         amiss.sort_unstable();
         amiss.dedup();
     }
+    Ok(draft.chosen)
 }
 
 /// A choice of edges that is being improved.
@@ -58,6 +59,12 @@ struct Draft<'a> {
     /// Cost of every edge, were it chosen.
     price: Vec<f64>,
     chosen: Vec<bool>,
+    /// How many edges are chosen at every site.
+    degrees: Vec<u32>,
+    /// Cost of every site as it was before the trail at hand.
+    before: Vec<f64>,
+    /// Sites with a change near them since a search began there.
+    fresh: Vec<bool>,
     /// Exchanges left to every site.
     left: Vec<usize>,
 }
@@ -79,8 +86,26 @@ impl<'a> Draft<'a> {
             cost::edge(cost::distance(sites[a], sites[b]), spacing[a], spacing[b])
         };
         let price = view.edges.iter().map(price).collect();
-        let left = vec![EXCHANGES; sites.len()];
-        Self { view, sites, about, price, chosen: crust.to_vec(), left }
+        let count = sites.len();
+        Self {
+            view,
+            sites,
+            about,
+            price,
+            chosen: crust.to_vec(),
+            degrees: vec![0; count],
+            before: vec![0.0; count],
+            fresh: vec![true; count],
+            left: vec![EXCHANGES; count],
+        }
+    }
+
+    /// Takes note of degrees and costs as they stand.
+    fn settle(&mut self) {
+        for v in 0..self.sites.len() {
+            self.degrees[v] = self.ends(v).count() as u32;
+            self.before[v] = self.cost_at(v);
+        }
     }
 
     fn other(&self, k: u32, v: usize) -> usize {
@@ -115,22 +140,44 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// Makes exchanges that begin at a site until none helps; whether there was one.
-    fn improve(&mut self, v: usize) -> bool {
-        let mut improved = false;
+    /// Makes exchanges that begin at a site until none helps.
+    fn improve(&mut self, v: usize) {
+        self.fresh[v] = false;
         while self.left[v] > 0 && (self.exchange(v, true) || self.exchange(v, false)) {
             self.left[v] -= 1;
-            improved = true;
         }
-        improved
     }
 
     fn exchange(&mut self, v: usize, add: bool) -> bool {
-        self.walk(v, add, 0.0, &mut Trail { edges: Vec::new(), sites: vec![v] })
+        let mut trail = Trail { edges: Vec::with_capacity(TRAIL), sites: vec![v] };
+        let found = self.walk(v, add, -self.before[v], &mut trail);
+        if found {
+            for &v in &trail.sites {
+                self.before[v] = self.cost_at(v);
+            }
+            self.freshen(&trail);
+            self.fresh[v] = false;
+        }
+        found
+    }
+
+    /// Marks all sites from which a trail could pass those of this one.
+    fn freshen(&mut self, trail: &Trail) {
+        let mut reached = trail.sites.clone();
+        reached.sort_unstable();
+        reached.dedup();
+        let mut seen: std::collections::BTreeSet<usize> = reached.iter().copied().collect();
+        for _ in 0..TRAIL {
+            let around = reached.iter().flat_map(|&v| self.about.at(v).iter().map(move |&k| (k, v)));
+            let ahead: Vec<usize> = around.map(|(k, v)| self.other(k, v)).collect();
+            reached = ahead.into_iter().filter(|&u| seen.insert(u)).collect();
+        }
+        seen.into_iter().for_each(|v| self.fresh[v] = true);
     }
 
     /// Goes on from the last site of the trail with an edge to add or to drop; true, with the edges exchanged, as soon
-    /// as that makes the curve cheaper, false with everything as it was.
+    /// as that makes the curve cheaper, false with everything as it was. `spent` is the price of the edges so far, less
+    /// what the sites passed have cost.
     fn walk(&mut self, v: usize, add: bool, spent: f64, trail: &mut Trail) -> bool {
         if trail.edges.len() == TRAIL {
             return false;
@@ -141,48 +188,57 @@ impl<'a> Draft<'a> {
                 continue;
             }
             let u = self.other(k, v);
-            let spent = spent + if add { self.price[k as usize] } else { -self.price[k as usize] };
-            self.chosen[k as usize] = add;
+            let price = if add { self.price[k as usize] } else { -self.price[k as usize] };
+            let spent = spent + price - if trail.sites.contains(&u) { 0.0 } else { self.before[u] };
+            self.switch(k);
             trail.edges.push(k);
             trail.sites.push(u);
-            let full = self.ends(u).count();
+            let full = self.degrees[u];
             if self.helps(spent, trail) || (full <= 3 && self.walk(u, !add, spent, trail)) {
                 return true;
             }
             trail.sites.pop();
             trail.edges.pop();
-            self.chosen[k as usize] = !add;
+            self.switch(k);
         }
         false
     }
 
+    /// Chooses an edge, or drops it.
+    fn switch(&mut self, k: u32) {
+        let chosen = !self.chosen[k as usize];
+        self.chosen[k as usize] = chosen;
+        for end in self.view.edges[k as usize] {
+            self.degrees[end as usize] = self.degrees[end as usize].wrapping_add_signed(if chosen { 1 } else { -1 });
+        }
+    }
+
     /// Whether the exchange leaves no site with three edges and costs less than it saves.
     fn helps(&mut self, spent: f64, trail: &Trail) -> bool {
-        if trail.sites.iter().any(|&v| self.ends(v).count() > 2) {
+        if spent >= -GAIN || trail.sites.iter().any(|&v| self.degrees[v] > 2) {
             return false;
         }
-        let mut sites = trail.sites.clone();
-        sites.sort_unstable();
-        sites.dedup();
-        let sum = |draft: &Self| sites.iter().map(|&v| draft.cost_at(v)).sum::<f64>();
-        let after = sum(self) + spent;
+        let mut sum = spent;
+        for (i, &v) in trail.sites.iter().enumerate() {
+            if !trail.sites[..i].contains(&v) {
+                sum += self.cost_at(v);
+                // Costs are positive: what is lost by now stays lost.
+                if sum >= -GAIN {
+                    return false;
+                }
+            }
+        }
+        let after = self.rings(&trail.sites);
         self.turn(trail);
-        let before = sum(self);
-        let helps = after - before < -GAIN && {
-            let rings = self.rings(&sites);
-            self.turn(trail);
-            let gain = after + self.rings(&sites) - before - rings;
-            self.turn(trail);
-            gain < -GAIN
-        };
+        let before = self.rings(&trail.sites);
         self.turn(trail);
-        helps
+        sum + after - before < -GAIN
     }
 
     /// Exchanges the edges of a trail, or takes that back.
     fn turn(&mut self, trail: &Trail) {
         for &k in &trail.edges {
-            self.chosen[k as usize] ^= true;
+            self.switch(k);
         }
     }
 

@@ -38,8 +38,7 @@ impl<'a> Cells<'a> {
         let (sites, vertices) = if scale.is_one() && farthest < 1e30 {
             (Cow::Borrowed(view.sites), Cow::Borrowed(view.vertices))
         } else {
-            let close = |&v: &Point| near(scale.down(v));
-            (view.sites.iter().map(|&p| scale.down(p)).collect(), view.vertices.iter().map(close).collect())
+            (scale.all_down(view.sites), view.vertices.iter().map(|&v| near(scale.down(v))).collect())
         };
         let convex = farthest < f64::MAX && scale.down([farthest; 2])[0] <= FAR;
         Self { view, sites, vertices, links: Links::of(view), convex }

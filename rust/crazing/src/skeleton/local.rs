@@ -1,8 +1,17 @@
 //! Two-pass crust and edge filter without the second triangulation.
 //!
 //! An edge of the Delaunay triangulation of sites and Voronoi vertices is one with a circle through its ends that holds
-//! none of them: a question about one pencil of circles, independent of all others. Nearly always the smallest circle
-//! answers it with one look at the neighbourhood; only otherwise the interval of circles is narrowed, point by point.
+//! none of them: a question about one pencil of circles, independent of all others. Nearly always the first circle that
+//! suggests itself is empty, and a walk past some four vertices shows it; only otherwise the interval of circles is
+//! narrowed, point by point.
+//!
+//! # What is exact
+//! The Voronoi vertices are taken as they are in the diagram: rounded to doubles, coincident neighbours made one. For
+//! these points, as if they had been given, all is exact: whether one lies inside a circle is the sign of a polynomial,
+//! and so is which of two cuts lies farther (a filter with a bound on its error, then expansions). An edge is dropped
+//! when two cuts exclude each other, and kept when a circle is found that holds nothing. Between the two there is the
+//! tie: an interval shorter than 1e-9 half lengths of the edge, in which rounded vertices mean nothing, counts as kept.
+//! The one-step test, which is exact for the samples themselves, has the first word: no other edge is asked about.
 
 use super::boxes::Boxes;
 use super::disc::Disc;

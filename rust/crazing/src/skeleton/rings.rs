@@ -1,92 +1,145 @@
-//! What the rings of a crust say of the axis: which side it is on, and how much of the ring each part of it spans.
+//! The lines of a crust as rings, which have an inside, an arc length, and noise.
 
-use crate::diagram::{DiagramView, depths};
+use super::cost::distance;
+use super::gaps::{self, Bridge, Closed};
 use crate::diagram::scale::{Scale, largest};
+use crate::diagram::{DiagramView, depths};
 use crate::error::{Error, Result};
-use crate::graph::{Polylines, polylines};
+use crate::graph::{Point, Polylines, polylines};
+use crate::incidence::Incidence;
 use crate::watch::Watch;
 
-/// The lines of the masked edges, closed ones last, their first site repeated.
-fn lines(view: DiagramView<'_>, mask: &[bool], watch: Watch<'_>) -> Result<Polylines> {
-    let kept: Vec<[i32; 2]> = view.edges.iter().zip(mask).filter(|(_, kept)| **kept).map(|(&ends, _)| ends).collect();
-    polylines(view.sites.len(), &kept, watch)
+/// A line of sites; the last is joined to the first when it is closed.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Line {
+    pub(super) sites: Vec<u32>,
+    pub(super) closed: bool,
 }
 
-/// The sites along every line.
-fn each(lines: &Polylines) -> impl Iterator<Item = &[i32]> {
-    lines.offsets.windows(2).map(|ends| &lines.rows[ends[0] as usize..ends[1] as usize])
+/// Where a site stands: on which line, and at which of its sites; line -1 for a site on none.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stand {
+    pub(super) line: i32,
+    pub(super) place: u32,
 }
 
-fn is_ring(line: &[i32]) -> bool {
-    line.len() > 3 && line.first() == line.last()
+/// The lines of a crust. Under noise a line may miss an edge or lose a few samples: gaps of a few steps are closed, and
+/// sites beside a line stand where the nearest of it does; see [`gaps`](super::gaps).
+#[derive(Debug)]
+pub struct Rings<'a> {
+    pub(super) view: DiagramView<'a>,
+    /// The sites at a scale near 1.
+    pub(super) sites: Vec<Point>,
+    pub(super) lines: Vec<Line>,
+    pub(super) stands: Vec<Stand>,
+    /// How far along its line each of its sites stands, and at last its length.
+    pub(super) along: Vec<Vec<f64>>,
+    /// Edges that part inside from outside.
+    wall: Vec<bool>,
 }
 
-/// Whether each dual edge lies inside the closed rings of the masked edges: both its ends are in triangles that an
-/// odd number of rings parts from infinity, and no ring passes between them. Open lines do not count.
-///
-/// # Errors
-/// [`Error::BadLength`], [`Error::Interrupted`].
-pub fn inside(view: DiagramView<'_>, mask: &[bool], watch: Watch<'_>) -> Result<Vec<bool>> {
-    check(view, mask)?;
-    let wall = walls(view, mask, watch)?;
-    let depth = depths(view, &wall, watch)?;
-    let is_inner = |t: i32| t != -1 && depth[t as usize] % 2 == 1;
-    Ok(view.dual_edges.iter().zip(&wall).map(|(dual, wall)| !wall && dual.iter().all(|&t| is_inner(t))).collect())
-}
-
-fn check(view: DiagramView<'_>, mask: &[bool]) -> Result<()> {
-    let (found, wanted) = (mask.len(), view.edges.len());
-    if found == wanted { Ok(()) } else { Err(Error::BadLength { array: "mask", found, wanted }) }
-}
-
-/// The masked edges that are part of a ring.
-fn walls(view: DiagramView<'_>, mask: &[bool], watch: Watch<'_>) -> Result<Vec<bool>> {
-    let lines = lines(view, mask, watch)?;
-    let mut ringed = vec![false; view.sites.len()];
-    for &site in each(&lines).filter(|line| is_ring(line)).flatten() {
-        ringed[site as usize] = true;
+impl<'a> Rings<'a> {
+    /// The rings and lines of the masked edges.
+    ///
+    /// # Errors
+    /// [`Error::BadLength`], [`Error::Interrupted`].
+    pub fn of(view: DiagramView<'a>, mask: &[bool], watch: Watch<'_>) -> Result<Self> {
+        let (found, wanted) = (mask.len(), view.edges.len());
+        if found != wanted {
+            return Err(Error::BadLength { array: "mask", found, wanted });
+        }
+        let scale = Scale::of(largest(view.sites));
+        let sites: Vec<Point> = view.sites.iter().map(|&p| scale.down(p)).collect();
+        let kept: Vec<[i32; 2]> = view.edges.iter().zip(mask).filter(|(_, kept)| **kept).map(|(&e, _)| e).collect();
+        let lines = opened(&polylines(sites.len(), &kept, watch)?);
+        let about = Incidence::of(sites.len(), view.edges);
+        let Closed { lines, stands, bridges } = gaps::closed(view, &sites, &about, lines, watch)?;
+        let along = lines.iter().map(|line| travelled(line, &sites)).collect();
+        let mut rings = Self { view, sites, lines, stands, along, wall: Vec::new() };
+        rings.wall = rings.walls(mask, &about, &bridges);
+        Ok(rings)
     }
-    let both = |ends: &[i32; 2]| ends.iter().all(|&site| ringed[site as usize]);
-    Ok(view.edges.iter().zip(mask).map(|(ends, &kept)| kept && both(ends)).collect())
+
+    /// The masked edges along the closed lines, and the bridges over their gaps.
+    fn walls(&self, mask: &[bool], about: &Incidence, bridges: &[Bridge]) -> Vec<bool> {
+        let mut wall = vec![false; self.view.edges.len()];
+        for line in self.lines.iter().filter(|line| line.closed) {
+            for (i, &a) in line.sites.iter().enumerate() {
+                let b = line.sites[(i + 1) % line.sites.len()] as i32;
+                let step = about.at(a as usize).iter().find(|&&k| self.view.edges[k as usize].contains(&b));
+                if let Some(&k) = step.filter(|&&k| mask[k as usize]) {
+                    wall[k as usize] = true;
+                }
+            }
+        }
+        // What is passed twice is no wall: every site keeps an even number of them.
+        let over = bridges.iter().filter(|bridge| self.is_closed(self.stands[bridge.from as usize].line));
+        over.flat_map(|bridge| &bridge.edges).for_each(|&k| wall[k as usize] ^= true);
+        wall
+    }
+
+    fn is_closed(&self, line: i32) -> bool {
+        line != -1 && self.lines[line as usize].closed
+    }
+
+    /// Whether each dual edge lies inside the rings: both its ends are in triangles that an odd number of rings parts
+    /// from infinity, and no ring passes between them. Open lines do not count.
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`].
+    pub fn inside(&self, watch: Watch<'_>) -> Result<Vec<bool>> {
+        let depth = depths(self.view, &self.wall, watch)?;
+        let is_inner = |t: i32| t != -1 && depth[t as usize] % 2 == 1;
+        let duals = self.view.dual_edges.iter().zip(&self.wall);
+        Ok(duals.map(|(dual, wall)| !wall && dual.iter().all(|&t| is_inner(t))).collect())
+    }
+
+    /// Arc residual of every dual edge: the shorter way along the line between its two sites, as a part of the length
+    /// of that line; infinite between two lines.
+    ///
+    /// On a closed ring it never decreases from a tip of the axis towards its middle.
+    ///
+    /// # Source
+    /// Ogniewicz, Kübler: Hierarchic Voronoi Skeletons (1995).
+    pub fn residuals(&self) -> Vec<f64> {
+        self.view.edges.iter().map(|&[p, q]| self.residual(p as usize, q as usize)).collect()
+    }
+
+    pub(super) fn residual(&self, p: usize, q: usize) -> f64 {
+        let (a, b) = (self.stands[p], self.stands[q]);
+        if a.line != b.line || a.line == -1 {
+            return f64::INFINITY;
+        }
+        let along = &self.along[a.line as usize];
+        let length = along[along.len() - 1];
+        let way = ((along[b.place as usize] - along[a.place as usize]) / length).abs();
+        if self.lines[a.line as usize].closed { way.min(1.0 - way) } else { way }
+    }
 }
 
-/// Arc residual of every dual edge: the shorter way along the line of the masked edges between its two sites, as a
-/// part of the length of that line; infinite between two lines.
-///
-/// On a closed ring it never decreases from a tip of the axis towards its middle.
-///
-/// # Errors
-/// [`Error::BadLength`], [`Error::Interrupted`].
-///
-/// # Source
-/// Ogniewicz, Kübler: Hierarchic Voronoi Skeletons (1995).
-pub fn residuals(view: DiagramView<'_>, mask: &[bool], watch: Watch<'_>) -> Result<Vec<f64>> {
-    check(view, mask)?;
-    let scale = Scale::of(largest(view.sites));
-    let place = |site: i32| scale.down(view.sites[site as usize]);
-    // The line of every site, and how far along it stands as a part of the whole.
-    let mut stands = vec![(-1, 0.0, false); view.sites.len()];
-    for (number, line) in each(&lines(view, mask, watch)?).enumerate() {
-        let mut along = vec![0.0; line.len()];
-        for (i, pair) in line.windows(2).enumerate() {
-            watch.poll_at(i)?;
-            along[i + 1] = along[i] + super::cost::distance(place(pair[0]), place(pair[1]));
-        }
-        let length = along[line.len() - 1];
-        for (&site, &at) in line.iter().zip(&along).rev() {
-            stands[site as usize] = (number as i32, at / length, is_ring(line));
-        }
-    }
-    let residual = |&[p, q]: &[i32; 2]| {
-        let ((line, from, ring), (other, to, _)) = (stands[p as usize], stands[q as usize]);
-        let way = (to - from).abs();
-        if line != other || line == -1 {
-            f64::INFINITY
-        } else if ring {
-            way.min(1.0 - way)
-        } else {
-            way
-        }
+/// The lines, rings without their first site again. What has fewer than three sites is no ring.
+fn opened(lines: &Polylines) -> Vec<Line> {
+    let each = lines.offsets.windows(2).map(|ends| &lines.rows[ends[0] as usize..ends[1] as usize]);
+    let open = |line: &[i32]| {
+        let closed = line.len() > 3 && line.first() == line.last();
+        let sites = &line[..line.len() - usize::from(closed)];
+        Line { sites: sites.iter().map(|&site| site as u32).collect(), closed }
     };
-    Ok(view.edges.iter().map(residual).collect())
+    each.map(open).collect()
+}
+
+/// Distances from the first site along a line, and its length at last.
+fn travelled(line: &Line, sites: &[Point]) -> Vec<f64> {
+    let place = |i: usize| sites[line.sites[i % line.sites.len()] as usize];
+    let steps = line.sites.len() - usize::from(!line.closed);
+    let mut along = vec![0.0; line.sites.len()];
+    let mut sum = 0.0;
+    for i in 0..steps {
+        sum += distance(place(i), place(i + 1));
+        if i + 1 < along.len() {
+            along[i + 1] = sum;
+        }
+    }
+    along.push(sum);
+    along
 }

@@ -12,8 +12,8 @@ const TRIES: usize = 6;
 const APART: f64 = 0.16;
 /// How far off the middle a wall may lie, in roots of the area, and how far it may turn, radians (both standard
 /// deviations).
-const OFF: f64 = 0.08;
-const TURN: f64 = 0.12;
+const OFF: f64 = 0.13;
+const TURN: f64 = 0.2;
 /// Pieces of a bent wall.
 const PIECES: usize = 8;
 /// A wall that leaves straighter than this (cosine) is not bent.
@@ -110,7 +110,10 @@ fn hits(polygon: &[Point], from: Point, way: Point) -> Option<[Hit; 2]> {
 
 /// The points of a wall between two hits, as bent as fits into the cell.
 fn bent(polygon: &[Point], hits: [Hit; 2], bend: f64) -> Option<Vec<Point>> {
-    [bend, bend / 2.0, bend / 4.0, 0.0].into_iter().map(|bend| curve(polygon, hits, bend)).find(|points| fits(polygon, hits, points))
+    [bend, bend / 2.0, bend / 4.0, 0.0]
+        .into_iter()
+        .map(|bend| curve(polygon, hits, bend))
+        .find(|points| fits(polygon, hits, points))
 }
 
 fn curve(polygon: &[Point], [a, b]: [Hit; 2], bend: f64) -> Vec<Point> {
