@@ -15,13 +15,16 @@ from crazing.material import Material
 from crazing.maze import Maze, maze
 from crazing.maze_statistics import MazeStatistics
 from crazing.measure import measure
+from crazing.preview import preview
 from crazing.quad_edge import QuadEdge
 from crazing.recipe import Recipe, crack, preset, presets
 from crazing.render import Style, render
 from crazing.rerun import rerun
+from crazing.shade import shade
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.statistics import CrackStatistics
 from crazing.streaming import write_texture
+from crazing.study import Study, compare_sizes
 from crazing.targets import Targets, targets
 from crazing.texture import Texture, TexturePlan, texture, texture_plan
 from crazing.versions import algorithm_version, show_versions
@@ -41,6 +44,7 @@ __all__ = [
     "QuadEdge",
     "Recipe",
     "Skeleton",
+    "Study",
     "Style",
     "Targets",
     "Texture",
@@ -49,6 +53,7 @@ __all__ = [
     "algorithm_version",
     "centerline",
     "compare",
+    "compare_sizes",
     "crack",
     "crust",
     "curve",
@@ -62,10 +67,12 @@ __all__ = [
     "poles",
     "preset",
     "presets",
+    "preview",
     "render",
     "rerun",
     "sample",
     "save_png",
+    "shade",
     "show_versions",
     "steps",
     "targets",

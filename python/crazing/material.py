@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from importlib import resources
 from typing import Any
@@ -92,7 +92,7 @@ class Material:
     level: float = 0.0
     grain: float = 0.0
     grain_size: float = 0.02
-    plate: tuple[tuple[int, int, int], ...] | tuple[Color, ...] | list[Color] = ("#c9bfae", "#e6dfd0")
+    plate: Sequence[Color] = ("#c9bfae", "#e6dfd0")
     tint: float = 0.4
     mottle: float = 0.4
     mottle_size: float = 1.5
@@ -109,7 +109,7 @@ class Material:
     crack_roughness: float = 0.95
 
     def __post_init__(self) -> None:
-        if isinstance(self.plate, str) or not len(self.plate):
+        if isinstance(self.plate, str) or len(self.plate) == 0:
             raise ValueError(f"plate is {self.plate!r}; a sequence of one colour or more is wanted")
         ramp = tuple(_rgb(color, f"plate[{i}]") for i, color in enumerate(self.plate))
         object.__setattr__(self, "plate", ramp)
@@ -120,6 +120,13 @@ class Material:
                 low, high = _RANGES.get(field.name, (0.0, 1.0))
                 value = arguments.number(getattr(self, field.name), field.name, low=low, high=high)
                 object.__setattr__(self, field.name, value)
+
+    @property
+    def middle(self) -> tuple[int, int, int]:
+        """The colour in the middle of the ramp of the plates."""
+        first, second = (_rgb(self.plate[(len(self.plate) - up) // 2], "plate") for up in (1, 0))
+        red, green, blue = ((a + b) // 2 for a, b in zip(first, second, strict=True))
+        return red, green, blue
 
     @classmethod
     def from_table(cls, table: Mapping[str, Any]) -> Material:

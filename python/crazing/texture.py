@@ -17,6 +17,7 @@ from crazing.material import Material, preset_material
 from crazing.pictures import output
 from crazing.pictures.samples import sources
 from crazing.render import MAX_PIXELS
+from crazing.shade import shade
 
 #: Every map: its type and its channels.
 MAPS: dict[str, tuple[type[np.generic], int]] = {
@@ -177,6 +178,21 @@ class Texture(Mapping[str, NDArray[Any]]):
 
     def __len__(self) -> int:
         return len(self.maps)
+
+    def lit(self, **how: Any) -> NDArray[np.uint8]:
+        """Show the texture under a light.
+
+        Parameters
+        ----------
+        **how
+            As for :func:`crazing.shade`.
+
+        Returns
+        -------
+        (H, W, 3) uint8
+            sRGB.
+        """
+        return shade(self, **how)
 
     def __repr__(self) -> str:
         return f"Texture({self.size[0]} x {self.size[1]}: {', '.join(self.maps)})"

@@ -2,17 +2,18 @@
 
 use super::grid::UNIT;
 use super::piece::Piece;
+use crate::error::{Error, Result};
 
 /// The pieces of every band, in ascending order.
 #[derive(Debug)]
 pub(super) struct Bands {
-    starts: Vec<u32>,
+    starts: Vec<usize>,
     pieces: Vec<u32>,
 }
 
 impl Bands {
     /// Sorts pieces into `count` bands of `rows` rows each, the first of which begins at row `top`.
-    pub(super) fn new(pieces: &[Piece], left: i64, width: usize, top: i64, rows: usize, count: usize) -> Self {
+    pub(super) fn new(pieces: &[Piece], left: i64, width: usize, top: i64, rows: usize, count: usize) -> Result<Self> {
         let height = rows as i64 * UNIT;
         let (left, right) = (left * UNIT, (left + width as i64) * UNIT);
         let span = |piece: &Piece| {
@@ -22,7 +23,7 @@ impl Bands {
             let (first, last) = (band(region[1]).max(0), band(region[3]).min(count as i64 - 1));
             if beside || last < first { 0..0 } else { first as usize..last as usize + 1 }
         };
-        let mut starts = vec![0_u32; count + 1];
+        let mut starts = vec![0_usize; count + 1];
         for piece in pieces {
             span(piece).for_each(|band| starts[band + 1] += 1);
         }
@@ -30,18 +31,23 @@ impl Bands {
             starts[band + 1] += starts[band];
         }
         let mut next = starts.clone();
-        let mut sorted = vec![0; starts[count] as usize];
+        let mut sorted = Vec::new();
+        let bytes = 4 * starts[count] as u128;
+        sorted
+            .try_reserve_exact(starts[count])
+            .map_err(|_| Error::OutOfMemory { what: "the edges by bands", bytes })?;
+        sorted.resize(starts[count], 0);
         for (id, piece) in pieces.iter().enumerate() {
             for band in span(piece) {
-                sorted[next[band] as usize] = id as u32;
+                sorted[next[band]] = id as u32;
                 next[band] += 1;
             }
         }
-        Self { starts, pieces: sorted }
+        Ok(Self { starts, pieces: sorted })
     }
 
     /// The pieces that reach into a band.
     pub(super) fn of(&self, band: usize) -> &[u32] {
-        &self.pieces[self.starts[band] as usize..self.starts[band + 1] as usize]
+        &self.pieces[self.starts[band]..self.starts[band + 1]]
     }
 }

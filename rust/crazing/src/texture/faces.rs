@@ -18,7 +18,8 @@ const ON_BORDER: f64 = 1e-9;
 /// The plates beside the edges.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Plates {
-    /// For every edge the plates to its left, to its right, and behind its first and second end.
+    /// For every edge the plates to its left, to its right, and behind its first and second end; -1 where an end has
+    /// no plate of its own behind it.
     pub plates: Vec<[i32; 4]>,
     /// From the first end of every edge to the middles of these plates, data units.
     pub middles: Vec<[[f64; 2]; 4]>,
@@ -274,9 +275,14 @@ impl Net {
         };
         for k in 0..self.own {
             let step = self.steps[k];
-            let behind = |end: usize| self.widest(self.edges[k][end], starts, leaving).unwrap_or(2 * k + end);
-            let halves = [2 * k, 2 * k + 1, behind(0), behind(1)];
+            let behind = [0, 1].map(|end| self.widest(self.edges[k][end], starts, leaving));
+            let halves = [2 * k, 2 * k + 1, behind[0].unwrap_or(2 * k), behind[1].unwrap_or(2 * k + 1)];
             let mut seen = halves.map(|half| see(half, &mut found));
+            for (end, behind) in behind.iter().enumerate() {
+                if behind.is_none() {
+                    seen[2 + end].0 = -1;
+                }
+            }
             // All as seen from the first end.
             for slot in [1, 3] {
                 seen[slot].1 = add(seen[slot].1, step);

@@ -30,6 +30,8 @@ struct Row<'a> {
     start: usize,
     distance: &'a [f32],
     code: &'a [u32],
+    /// The plate of every code, -1 where it depends on the pixel.
+    cells: &'a [i32],
 }
 
 /// Rows of noise, one a kind.
@@ -61,15 +63,17 @@ impl Row<'_> {
     /// Where a pixel lies from its nearest edge: 0 to its left, 1 right, 2 behind its first end, 3 its second.
     fn side(&self, x: usize, piece: &Piece, plates: &[i32; 4]) -> usize {
         let side = (self.code[x] & 1) as usize;
-        if plates.iter().all(|plate| *plate == plates[side]) {
+        let behind = |end: usize| piece.ends[end] && plates[2 + end] >= 0 && plates[2 + end] != plates[side];
+        let (first, second) = (behind(0), behind(1));
+        if !first && !second {
             return side;
         }
         let [dx, dy] =
             piece.from_start((self.corner[0] + x as i64) * UNIT + UNIT / 2, self.corner[1] * UNIT + UNIT / 2);
         let foot = piece.foot(dx, dy);
         match () {
-            () if foot.s <= 0.0 && piece.ends[0] => 2,
-            () if foot.s >= piece.length && piece.ends[1] => 3,
+            () if first && foot.s <= 0.0 => 2,
+            () if second && foot.s >= piece.length => 3,
             () => side,
         }
     }
@@ -83,12 +87,13 @@ fn stretch<'b, T>(map: &'b mut Option<&mut [T]>, row: &Row<'_>, channels: usize)
 impl Scene<'_> {
     /// Writes the part of a page into a band of the window.
     pub(super) fn finish(&self, set: &Set, page: &Page, part: Part, rows: &mut Rows, maps: &mut Maps<'_>) {
+        let cells = if maps.cell.is_some() { self.cells(set, page) } else { Vec::new() };
         for y in 0..part.height {
             let at = y * PAGE..y * PAGE + part.width;
             let corner = [part.corner[0], part.corner[1] + y as i64];
             let start = (part.at[1] + y) * self.window.width + part.at[0];
             let (distance, code) = (&page.distance[at.clone()], &page.code[at]);
-            let row = Row { set, page, corner, start, distance, code };
+            let row = Row { set, page, corner, start, distance, code, cells: &cells };
             if let Some(out) = stretch(&mut maps.distance, &row, 1) {
                 out.iter_mut().zip(distance).for_each(|(out, distance)| *out = distance * self.data);
             }
@@ -105,10 +110,25 @@ impl Scene<'_> {
         }
     }
 
+    fn cells(&self, set: &Set, page: &Page) -> Vec<i32> {
+        let sides = |id: &u32| {
+            let piece = &set.pieces[*id as usize];
+            let plates = &self.sides.plates[piece.edge as usize];
+            [0, 1].map(|side| {
+                let same = |end: usize| !piece.ends[end] || plates[2 + end] < 0 || plates[2 + end] == plates[side];
+                if same(0) && same(1) { plates[side] } else { -1 }
+            })
+        };
+        page.ids.iter().flat_map(sides).collect()
+    }
+
     fn labels(&self, row: &Row<'_>, maps: &mut Maps<'_>) {
         if let Some(out) = stretch(&mut maps.cell, row, 1) {
             for (x, out) in out.iter_mut().enumerate() {
-                *out = row.piece(x).map_or(0, |piece| self.plate_of(row, x, piece).0);
+                *out = match row.cells.get(row.code[x] as usize) {
+                    Some(&cell) if cell >= 0 => cell,
+                    _ => row.piece(x).map_or(0, |piece| self.plate_of(row, x, piece).0),
+                };
             }
         }
         let labels = [(&mut maps.strand, self.pattern.strand), (&mut maps.generation, self.pattern.generation)];

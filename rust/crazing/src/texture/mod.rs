@@ -44,6 +44,9 @@ use piece::Piece;
 use plates::Plate;
 use profile::Profile;
 
+/// Levels of ever wider surroundings: the last holds all that can be placed at all.
+const LEVELS: usize = 11;
+
 /// Rows of a band, which one thread works on at a time.
 const BAND: usize = 64;
 
@@ -88,8 +91,8 @@ struct Scene<'a> {
     near: Set,
     /// What covers the mask, where it is wanted.
     bands: Option<Bands>,
-    /// All there is, made when the pieces near the window are not enough.
-    far: OnceLock<Result<Set>>,
+    /// Ever more of what lies around, made when what lies nearer is not enough.
+    far: [OnceLock<Result<Set>>; LEVELS],
     profile: Profile,
     look: Look,
     plates: Vec<Plate>,
@@ -139,14 +142,13 @@ pub fn texture(
     let scene = Scene::new(pattern, sides, grid, window, material, key, &maps, watch)?;
     let threads = if pixels <= 1 << 14 { 1 } else { crew::size(threads, window.height.div_ceil(BAND)) };
     let bands = maps.bands(window.width, window.height, BAND).into_iter().enumerate();
-    let state = || Ok(Hand { near: Search::new(), far: Search::new(), rows: Rows::new(), mask: Vec::new() });
+    let state = || Ok(Hand { search: Search::new(), rows: Rows::new(), mask: Vec::new() });
     crew::share(bands, threads, watch, state, |hand, (band, maps), poll| scene.band(band, maps, hand, poll))
 }
 
 /// The buffers of one thread.
 struct Hand {
-    near: Search,
-    far: Search,
+    search: Search,
     rows: Rows,
     mask: Vec<u8>,
 }
@@ -180,11 +182,12 @@ impl<'a> Scene<'a> {
         };
         let wants_grain = (wants_profile && material.grain != 0.0)
             || (wants_look && (material.speckle != 0.0 || material.roughness_spread != 0.0));
-        let near = near(&pattern, &grid, window, watch)?;
+        let near = around(&pattern, &grid, window, 0, watch)?;
         let bands = (wants_look || maps.mask.is_some()).then(|| {
             let Window { top, left, height, width } = window;
             Bands::new(&near.pieces, left, width, top, BAND, height.div_ceil(BAND))
         });
+        let bands = bands.transpose()?;
         let plates = plates::plates(sides.reaches.len(), sides.reaches, key);
         Ok(Self {
             pattern,
@@ -193,7 +196,7 @@ impl<'a> Scene<'a> {
             window,
             near,
             bands,
-            far: OnceLock::new(),
+            far: Default::default(),
             profile: Profile::new(material, scale),
             look: Look::new(material, scale),
             plates,
@@ -216,7 +219,7 @@ impl<'a> Scene<'a> {
     /// Writes one band of the window.
     fn band(&self, band: usize, maps: Maps<'_>, hand: &mut Hand, poll: Poll<'_>) -> Result<()> {
         let height = BAND.min(self.window.height - band * BAND);
-        let Hand { near, far, rows, mask } = hand;
+        let Hand { search, rows, mask } = hand;
         let mut maps = maps;
         if maps.mask.is_none() && self.wants_look {
             mask.resize(self.window.width * BAND, 0);
@@ -243,68 +246,51 @@ impl<'a> Scene<'a> {
                     width: side.min(self.window.width - x),
                     height: side.min(height - y),
                 };
-                self.page(part, side, near, far, rows, &mut maps)?;
+                self.page(part, side, search, rows, &mut maps)?;
             }
         }
         Ok(())
     }
 
-    fn page(
-        &self,
-        part: Part,
-        side: usize,
-        near: &mut Search,
-        far: &mut Search,
-        rows: &mut Rows,
-        maps: &mut Maps<'_>,
-    ) -> Result<()> {
-        if near.open(&self.near, part.corner, side) != Found::TooFar {
-            near.fill(&self.near, part.corner, side);
-            self.finish(&self.near, &near.page, part, rows, maps);
-            return Ok(());
+    /// Writes the part of the window that a page holds.
+    fn page(&self, part: Part, side: usize, search: &mut Search, rows: &mut Rows, maps: &mut Maps<'_>) -> Result<()> {
+        let (mut set, mut level) = (&self.near, 0);
+        while search.open(set, part.corner, side) == Found::TooFar {
+            let far = self.far.get(level).ok_or(Error::Internal("no end of the surroundings"))?;
+            level += 1;
+            let wider = || around(&self.pattern, &self.grid, self.window, level as u32, Watch::default());
+            set = far.get_or_init(wider).as_ref().map_err(Clone::clone)?;
         }
-        let set =
-            self.far.get_or_init(|| all(&self.pattern, &self.grid, self.window)).as_ref().map_err(Clone::clone)?;
-        far.open(set, part.corner, side);
-        far.fill(set, part.corner, side);
-        self.finish(set, &far.page, part, rows, maps);
+        search.fill(set, part.corner, side);
+        self.finish(set, &search.page, part, rows, maps);
         Ok(())
     }
 }
 
-/// The pieces in and around a window: as far as the next cracks should be.
-fn near(pattern: &Pattern<'_>, grid: &Grid, window: Window, watch: Watch<'_>) -> Result<Set> {
+/// The pieces in and around a window: on level 0 as far as the next cracks should be, on each other 8 times as far.
+fn around(pattern: &Pattern<'_>, grid: &Grid, window: Window, level: u32, watch: Watch<'_>) -> Result<Set> {
     let [left, top] = [window.left, window.top].map(|pixel| pixel * UNIT);
     let (right, bottom) = (left + window.width as i64 * UNIT, top + window.height as i64 * UNIT);
-    // Bins first for the pieces that would lie here if all of them did.
     let area = window.width as f64 * window.height as f64;
-    let margin = (4.0 * (area / pattern.edges.len().max(1) as f64).sqrt()).clamp(64.0, 1024.0) as i64 * UNIT;
+    let spacing = (area / pattern.edges.len().max(1) as f64).sqrt();
+    let mut margin = ((4.0 * spacing).clamp(64.0, 1024.0) as i64 * UNIT) << (3 * level);
+    let whole = if grid.period == [0; 2] {
+        let mut whole = true;
+        for vertex in pattern.edges.as_flattened() {
+            let [x, y] = grid.place(pattern.vertices[*vertex as usize], *vertex as usize)?;
+            whole &= (left - margin..=right + margin).contains(&x) && (top - margin..=bottom + margin).contains(&y);
+        }
+        whole
+    } else {
+        // Some image of every edge is nearer to any place than this.
+        let enough = 2 * (grid.period[0] + grid.period[1]) * UNIT;
+        let whole = margin >= enough;
+        margin = margin.min(enough);
+        whole
+    };
     let region = [left - margin, top - margin, right + margin, bottom + margin];
     let pieces = piece::pieces(pattern, grid, region, watch)?;
-    set(pieces, region, [left, top], false)
-}
-
-/// All pieces that can be nearest anywhere in a window.
-fn all(pattern: &Pattern<'_>, grid: &Grid, window: Window) -> Result<Set> {
-    let [left, top] = [window.left, window.top].map(|pixel| pixel * UNIT);
-    let mut region = [left, top, left + window.width as i64 * UNIT, top + window.height as i64 * UNIT];
-    let mut grow = |place: [i64; 2]| {
-        for axis in 0..2 {
-            region[axis] = region[axis].min(place[axis]);
-            region[axis + 2] = region[axis + 2].max(place[axis]);
-        }
-    };
-    if grid.period == [0; 2] {
-        for vertex in pattern.edges.as_flattened() {
-            grow(grid.place(pattern.vertices[*vertex as usize], *vertex as usize)?);
-        }
-    } else {
-        // Some image of every edge starts within half a period of any place.
-        let far = (grid.period[0] + grid.period[1]) * UNIT;
-        region = [region[0] - far, region[1] - far, region[2] + far, region[3] + far];
-    }
-    let pieces = piece::pieces(pattern, grid, region, Watch::default())?;
-    set(pieces, region, [left, top], true)
+    set(pieces, region, [left, top], whole || level as usize == LEVELS)
 }
 
 /// Sorts pieces into bins that one of begins at `corner`.

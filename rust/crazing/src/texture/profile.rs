@@ -71,15 +71,15 @@ impl Profile {
         let edge = level - self.rim + curl;
         let (share, by_share) = root_of_share(radius * self.widest);
         let bottom = self.top - self.depth * share;
-        let u = if radius > 0.0 { -distance / radius } else { 1.0 };
-        let u = if u > 1.0 { 1.0 } else { u };
+        // Chips reach beyond the middle of thin cracks: there the floor is level.
+        let (u, inverse) = if -distance < radius { (-distance / radius, 1.0 / radius) } else { (1.0, 0.0) };
         let rest = 1.0 - u;
         let rest_cubed = rest * rest * rest;
         let wall = (1.0 - self.roundness) * u + self.roundness * (1.0 - rest_cubed * rest);
         let by_u = (1.0 - self.roundness) + 4.0 * self.roundness * rest_cubed;
         let fall = bottom - edge;
-        let by_radius = -self.depth * by_share * self.widest * wall - fall * by_u * u / radius;
-        Height { height: edge + fall * wall, by_distance: -fall * by_u / radius, by_radius, by_plate: 1.0 - wall }
+        let by_radius = -self.depth * by_share * self.widest * wall - fall * by_u * u * inverse;
+        Height { height: edge + fall * wall, by_distance: -fall * by_u * inverse, by_radius, by_plate: 1.0 - wall }
     }
 
     /// The part of the sky that is seen from a place: that of the middle between two long straight rims.
