@@ -120,13 +120,13 @@ def stretched(maze: Maze, matrix: NDArray[np.float64], centre: NDArray[np.float6
     (vertices, edges, shifts, period, cut), (anchors, kites, turns) = _walls(maze)
     back = [np.ascontiguousarray(points @ matrix.T + centre) for points in (vertices, anchors)]
     if any(period):
-        sides = np.abs(matrix) @ np.asarray(period)
         if abs(matrix[0, 1]) > abs(matrix[0, 0]):  # A quarter turn: what crossed the one side crosses the other.
             turn = np.sign(matrix[0, 1]), np.sign(matrix[1, 0])
             shifts = np.ascontiguousarray(shifts[:, ::-1] * np.array(turn, dtype=np.int8))
             turns = np.ascontiguousarray(turns.reshape(-1, 3, 2)[:, :, ::-1] * np.array(turn, dtype=np.int8))
             turns = turns.reshape(-1, 6)
-        period = float(sides[0]), float(sides[1])
+        # The bounds are the period as it was given; through the frame and back it would be off by roundings.
+        period = bounds[2] - bounds[0], bounds[3] - bounds[1]
         return _paired((back[0], edges, shifts, period, cut), (back[1], kites, turns), bounds)
     net, fence = (back[0], edges, shifts, period, cut), (back[1], kites, turns)
     nobody = np.full(2 * len(edges), -1, dtype=np.int32)
