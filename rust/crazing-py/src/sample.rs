@@ -43,12 +43,7 @@ pub(crate) fn sample_poisson_disk(
 
 /// See [`sample::from_density`].
 #[pyfunction]
-pub(crate) fn sample_from_density<'py>(
-    py: Python<'py>,
-    density: DensityArrays<'py>,
-    n: usize,
-    key: Key,
-) -> Points<'py> {
+pub(crate) fn sample_from_density<'py>(py: Python<'py>, density: DensityArrays<'py>, n: usize, key: Key) -> Points<'py> {
     let density = density.view()?;
     table(py, detached(py, |watch| sample::from_density(density, n, key, watch))?)
 }

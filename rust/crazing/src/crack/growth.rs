@@ -25,8 +25,7 @@ pub fn arrivals(net: NetView<'_>, strand: &[i32], parent: &[i32]) -> Vec<[f64; 2
             there.map(|&end| arrivals[end as usize / 2][end as usize % 2]).fold(f64::INFINITY, f64::min)
         };
         let last = run.entries.last().map_or(first, |&entry| entry ^ 1);
-        let (near, far) =
-            if parent[first as usize / 2] == NONE { (f64::INFINITY, f64::INFINITY) } else { (met(first), met(last)) };
+        let (near, far) = if parent[first as usize / 2] == NONE { (f64::INFINITY, f64::INFINITY) } else { (met(first), met(last)) };
         let middle = || {
             let mut at = 0.0;
             let half = |entry: &u32| {
@@ -67,8 +66,7 @@ fn runs(net: NetView<'_>, strand: &[i32], ends: &Ends, count: usize) -> Vec<Run>
     let mut seen = vec![false; net.edges.len()];
     let next = |end: u32, seen: &[bool]| {
         let here = ends.at(net.vertex(end)).iter().copied();
-        here.filter(|&other| other != end)
-            .find(|&other| strand[other as usize / 2] == strand[end as usize / 2] && !seen[other as usize / 2])
+        here.filter(|&other| other != end).find(|&other| strand[other as usize / 2] == strand[end as usize / 2] && !seen[other as usize / 2])
     };
     let all = 0..2 * net.edges.len() as u32;
     let is_tip = |end: &u32| {

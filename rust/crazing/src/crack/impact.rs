@@ -142,15 +142,11 @@ impl Star {
 
     /// A spoke from a vertex outward; some reach the bounds, the others end on the way.
     fn add_spoke(&mut self, angle: f64, start: (f64, i32)) -> usize {
-        let most = self
-            .half
-            .map_or(2.0 * self.reach, |half| (half[0] / libm::cos(angle).abs()).min(half[1] / libm::sin(angle).abs()));
+        let most = self.half.map_or(2.0 * self.reach, |half| {
+            (half[0] / libm::cos(angle).abs()).min(half[1] / libm::sin(angle).abs())
+        });
         let chance = self.normal();
-        let to = if chance > 0.0 {
-            most
-        } else {
-            start.0 + (self.reach.min(most) - start.0).max(0.0) * libm::exp(0.6 * chance)
-        };
+        let to = if chance > 0.0 { most } else { start.0 + (self.reach.min(most) - start.0).max(0.0) * libm::exp(0.6 * chance) };
         self.spokes.push(Spoke { angle, to: to.min(most), age: self.ages, at: vec![start] });
         self.ages += 1;
         self.spokes.len() - 1
@@ -234,12 +230,7 @@ impl Star {
         net.cut = vec![false; net.vertices.len()];
         for &[a, b] in &net.edges {
             let first = (net.vertices.len() + fence.anchors.len()) as i32;
-            fence.anchors.extend(self::room(
-                net.vertices[a as usize],
-                net.vertices[b as usize],
-                self.how.source,
-                narrowest,
-            ));
+            fence.anchors.extend(self::room(net.vertices[a as usize], net.vertices[b as usize], self.how.source, narrowest));
             fence.kites.push([a, b, first, first + 1]);
         }
         if let Some(half) = self.half {

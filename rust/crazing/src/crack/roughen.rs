@@ -99,7 +99,13 @@ impl Roughness {
 }
 
 /// Moves the vertices of degree 2 across their crack.
-fn wander(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, watch: Watch<'_>) -> Result<Vec<Point>> {
+fn wander(
+    net: NetView<'_>,
+    fence: FenceView<'_>,
+    how: Roughness,
+    key: Key,
+    watch: Watch<'_>,
+) -> Result<Vec<Point>> {
     let ends = Ends::of(net);
     let mut guard = Guard::of(net, fence);
     let mut seen = vec![false; net.edges.len()];
@@ -129,7 +135,13 @@ fn wander(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, watc
 }
 
 /// The ends to enter edges by, from one node to the next, or once around a ring.
-fn chain(net: NetView<'_>, ends: &Ends, start: u32, seen: &mut [bool], is_node: impl Fn(usize) -> bool) -> Vec<u32> {
+fn chain(
+    net: NetView<'_>,
+    ends: &Ends,
+    start: u32,
+    seen: &mut [bool],
+    is_node: impl Fn(usize) -> bool,
+) -> Vec<u32> {
     let (mut chain, mut end) = (Vec::new(), start);
     while !std::mem::replace(&mut seen[end as usize / 2], true) {
         chain.push(end);

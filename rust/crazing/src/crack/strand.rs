@@ -34,7 +34,9 @@ pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
     let mut runs = follow(net, partner);
     let age = |run: &Run| age.get(run.lowest as usize).copied().unwrap_or(0);
     // Oldest first, then longest; equal lengths by their first edge.
-    runs.sort_by(|a, b| age(a).cmp(&age(b)).then(b.length.total_cmp(&a.length)).then(a.lowest.cmp(&b.lowest)));
+    runs.sort_by(|a, b| {
+        age(a).cmp(&age(b)).then(b.length.total_cmp(&a.length)).then(a.lowest.cmp(&b.lowest))
+    });
     number(net, &Ends::of(net), &runs)
 }
 

@@ -101,7 +101,9 @@ fn check(profile: &Profile) -> Result<()> {
         ("fade", profile.fade),
     ];
     match values.into_iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0)) {
-        Some((name, value)) => Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" }),
+        Some((name, value)) => {
+            Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" })
+        }
         None => Ok(()),
     }
 }

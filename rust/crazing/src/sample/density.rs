@@ -26,11 +26,7 @@ impl Density<'_> {
         check_box(self.bounds)?;
         let found = self.values.len();
         if self.columns == 0 || found == 0 || !found.is_multiple_of(self.columns) {
-            return Err(Error::BadLength {
-                array: "density",
-                found,
-                wanted: found.next_multiple_of(self.columns.max(1)),
-            });
+            return Err(Error::BadLength { array: "density", found, wanted: found.next_multiple_of(self.columns.max(1)) });
         }
         match self.values.iter().position(|value| !(value.is_finite() && *value >= 0.0)) {
             Some(row) => {

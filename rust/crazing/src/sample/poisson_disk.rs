@@ -21,7 +21,13 @@ const EMPTY: u32 = u32::MAX;
 ///
 /// # Source
 /// Bridson: Fast Poisson Disk Sampling in Arbitrary Dimensions (SIGGRAPH sketches 2007).
-pub fn poisson_disk(radius: f64, bounds: [f64; 4], on_torus: bool, key: Key, watch: Watch<'_>) -> Result<Vec<Point>> {
+pub fn poisson_disk(
+    radius: f64,
+    bounds: [f64; 4],
+    on_torus: bool,
+    key: Key,
+    watch: Watch<'_>,
+) -> Result<Vec<Point>> {
     check_box(bounds)?;
     let mut grid = Grid::of(radius, bounds, on_torus)?;
     let mut rng = Rng::new(key, stream::POISSON_DISK);

@@ -68,12 +68,8 @@ fn centroids(
         let p = view.sites[site];
         let [xmin, ymin, xmax, ymax] = region(p);
         // Seen from the site, so that cells far from the origin lose nothing.
-        let mut cell = vec![
-            [xmin - p[0], ymin - p[1]],
-            [xmax - p[0], ymin - p[1]],
-            [xmax - p[0], ymax - p[1]],
-            [xmin - p[0], ymax - p[1]],
-        ];
+        let mut cell =
+            vec![[xmin - p[0], ymin - p[1]], [xmax - p[0], ymin - p[1]], [xmax - p[0], ymax - p[1]], [xmin - p[0], ymax - p[1]]];
         let mut spare = Vec::with_capacity(12);
         for &row in about.at(site) {
             let [from, to] = view.edges[row as usize];

@@ -110,10 +110,7 @@ fn hits(polygon: &[Point], from: Point, way: Point) -> Option<[Hit; 2]> {
 
 /// The points of a wall between two hits, as bent as fits into the cell.
 fn bent(polygon: &[Point], hits: [Hit; 2], bend: f64) -> Option<Vec<Point>> {
-    [bend, bend / 2.0, bend / 4.0, 0.0]
-        .into_iter()
-        .map(|bend| curve(polygon, hits, bend))
-        .find(|points| fits(polygon, hits, points))
+    [bend, bend / 2.0, bend / 4.0, 0.0].into_iter().map(|bend| curve(polygon, hits, bend)).find(|points| fits(polygon, hits, points))
 }
 
 fn curve(polygon: &[Point], [a, b]: [Hit; 2], bend: f64) -> Vec<Point> {

@@ -105,11 +105,7 @@ impl Mesh {
     /// Corners, counter-clockwise; on a torus as one piece.
     pub(super) fn polygon(&self, cell: usize) -> Vec<Point> {
         let turns = self.turns(cell);
-        self.cells[cell]
-            .iter()
-            .zip(turns)
-            .map(|(&half, turn)| self.moved(self.points[self.start(half)], turn))
-            .collect()
+        self.cells[cell].iter().zip(turns).map(|(&half, turn)| self.moved(self.points[self.start(half)], turn)).collect()
     }
 
     /// Area and middle of a cell.
@@ -220,11 +216,7 @@ impl Mesh {
         let net = Net {
             vertices: order.iter().map(|&old| self.points[old]).collect(),
             edges: drawn.iter().map(|&k| self.edges[k].ends.map(|end| number[end as usize])).collect(),
-            shifts: if torus {
-                drawn.iter().map(|&k| self.edges[k].shift.map(|x| x as i8)).collect()
-            } else {
-                Vec::new()
-            },
+            shifts: if torus { drawn.iter().map(|&k| self.edges[k].shift.map(|x| x as i8)).collect() } else { Vec::new() },
             period: self.period,
             cut,
         };
