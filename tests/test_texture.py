@@ -179,7 +179,7 @@ def test_cells_are_the_faces_of_the_drawing(opening):
     pairs, counts = np.unique(np.stack([face, t["cell"].ravel()[at]])[:, beside], axis=1, return_counts=True)
     # One plate a face; a wide crack may hide the nearest thin one from a few pixels.
     best = {f: counts[pairs[0] == f].max() for f in np.unique(pairs[0])}
-    assert sum(best.values()) >= 0.96 * beside.sum()
+    assert sum(best.values()) >= 0.98 * beside.sum()
     owners = [pairs[1][pairs[0] == f][np.argmax(counts[pairs[0] == f])] for f in best]
     assert len(set(owners)) == len(owners)
 

@@ -412,7 +412,7 @@ def _sides(names: tuple[str, ...], material: Material, crack: Any, arrays: tuple
     if "cell" in names or (differ and not {*names} <= {"mask", "distance", "strand", "generation", "direction"}):
         return _core.plates(arrays, arguments.bounds_tuple(crack.bounds), getattr(crack, "period", None))
     edges = len(arrays[1])
-    return np.zeros((edges, 4), dtype=np.int32), np.zeros((edges, 8)), np.zeros(1)
+    return np.zeros((edges, 2), dtype=np.int32), np.zeros((edges, 4)), np.zeros(1)
 
 
 def _scaled(material: Material, crack: Any, arrays: tuple[Any, ...]) -> dict[str, Any]:

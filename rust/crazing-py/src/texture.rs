@@ -74,8 +74,8 @@ pub(crate) fn plates<'py>(
     let pattern = view(&pattern)?;
     let found = detached(py, |watch| crazing::texture::plates(&pattern, bounds, period, watch))?;
     let middles =
-        found.middles.into_iter().map(|middles| middles.as_flattened().try_into().unwrap_or([0.0; 8])).collect();
-    Ok((table(py, found.plates)?, table::<f64, 8>(py, middles)?, PyArray1::from_vec(py, found.reaches)))
+        found.middles.into_iter().map(|middles| middles.as_flattened().try_into().unwrap_or([0.0; 4])).collect();
+    Ok((table(py, found.plates)?, table::<f64, 4>(py, middles)?, PyArray1::from_vec(py, found.reaches)))
 }
 
 /// Writes the maps in `out`, C-contiguous arrays by name, for a window (top, left, height, width) of a picture.
@@ -96,8 +96,8 @@ pub(crate) fn texture(
 ) -> PyResult<()> {
     let material = self::material(material)?;
     let pattern = view(&pattern)?;
-    let middles = rows::<f64, 8>(&sides.1)?;
-    let middles = middles.as_flattened().as_chunks::<2>().0.as_chunks::<4>().0;
+    let middles = rows::<f64, 4>(&sides.1)?;
+    let middles = middles.as_flattened().as_chunks::<2>().0.as_chunks::<2>().0;
     let sides = Sides { plates: rows(&sides.0)?, middles, reaches: sides.2.as_slice()? };
     let view = View { bounds, height: size.0, width: size.1, period };
     let (top, left, height, width) = window;

@@ -134,7 +134,7 @@ fn distances_are_those_of_every_disc() {
     let mut distance = vec![0.0_f32; pixels];
     let view = View { bounds: [0.0, 0.0, 1.0, 1.0], height: side, width: side, period: Some([1.0; 2]) };
     let maps = Maps { distance: Some(&mut distance), ..Maps::default() };
-    let sides = Sides { plates: &[[0; 4]; 7], middles: &[[[0.0; 2]; 4]; 7], reaches: &[1.0] };
+    let sides = Sides { plates: &[[0; 2]; 7], middles: &[[[0.0; 2]; 2]; 7], reaches: &[1.0] };
     let window = Window { top: 0, left: 0, height: side, width: side };
     texture(wheel.pattern(), sides, &view, window, &material(), [7, 9], 1, Watch::default(), maps).unwrap();
     for (pixel, found) in distance.iter().enumerate().step_by(7) {
@@ -162,7 +162,7 @@ fn a_period_of_broken_pixels_is_refused() {
     let wheel = Wheel::new(3);
     let view = View { bounds: [0.0, 0.0, 1.0, 1.0], height: 10, width: 10, period: Some([0.33, 1.0]) };
     let window = Window { top: 0, left: 0, height: 1, width: 1 };
-    let sides = Sides { plates: &[[0; 4]; 3], middles: &[[[0.0; 2]; 4]; 3], reaches: &[1.0] };
+    let sides = Sides { plates: &[[0; 2]; 3], middles: &[[[0.0; 2]; 2]; 3], reaches: &[1.0] };
     let mut mask = [0];
     let maps = Maps { mask: Some(&mut mask), ..Maps::default() };
     let refused = texture(wheel.pattern(), sides, &view, window, &material(), [0, 0], 1, Watch::default(), maps);

@@ -4,8 +4,6 @@
 //! left. A walk that turns as far left as it can, goes round a face. Where cracks float inside a plate, a ray to the
 //! left of each finds the walk around it. Without a period the bounds close the plates along them.
 
-use std::f64::consts::PI;
-
 use crate::error::Result;
 use crate::graph::Point;
 use crate::watch::Watch;
@@ -18,11 +16,10 @@ const ON_BORDER: f64 = 1e-9;
 /// The plates beside the edges.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Plates {
-    /// For every edge the plates to its left, to its right, and behind its first and second end; -1 where an end has
-    /// no plate of its own behind it.
-    pub plates: Vec<[i32; 4]>,
+    /// For every edge the plates to its left and to its right.
+    pub plates: Vec<[i32; 2]>,
     /// From the first end of every edge to the middles of these plates, data units.
-    pub middles: Vec<[[f64; 2]; 4]>,
+    pub middles: Vec<[[f64; 2]; 2]>,
     /// The farthest corner of each plate from its middle, data units.
     pub reaches: Vec<f64>,
 }
@@ -65,7 +62,7 @@ pub fn plates(pattern: &Pattern<'_>, bounds: [f64; 4], period: Option<Point>, wa
     let walks = net.walks(&starts, &leaving);
     watch.poll()?;
     let outermost = Net::outermost(&net.parents(&walks, watch)?);
-    Ok(net.number(&walks, &outermost, &starts, &leaving))
+    Ok(net.number(&walks, &outermost))
 }
 
 fn add(a: Point, b: Point) -> Point {
@@ -81,7 +78,7 @@ fn cross(a: Point, b: Point) -> f64 {
 }
 
 /// Grows with the angle of a vector, from -2 to 2.
-fn turn(v: Point) -> f64 {
+pub(super) fn turn(v: Point) -> f64 {
     let part = v[1] / (v[0].abs() + v[1].abs());
     if v[0] >= 0.0 {
         part
@@ -253,7 +250,7 @@ impl Net {
         known.into_iter().enumerate().map(|(walk, end)| end.unwrap_or((walk, [0.0; 2]))).collect()
     }
 
-    fn number(&self, walks: &Walks, outermost: &[(usize, Point)], starts: &[usize], leaving: &[usize]) -> Plates {
+    fn number(&self, walks: &Walks, outermost: &[(usize, Point)]) -> Plates {
         let mut number = vec![-1; walks.walks.len()];
         let mut found = Plates::default();
         let mut outside = None;
@@ -275,33 +272,13 @@ impl Net {
         };
         for k in 0..self.own {
             let step = self.steps[k];
-            let behind = [0, 1].map(|end| self.widest(self.edges[k][end], starts, leaving));
-            let halves = [2 * k, 2 * k + 1, behind[0].unwrap_or(2 * k), behind[1].unwrap_or(2 * k + 1)];
-            let mut seen = halves.map(|half| see(half, &mut found));
-            for (end, behind) in behind.iter().enumerate() {
-                if behind.is_none() {
-                    seen[2 + end].0 = -1;
-                }
-            }
-            // All as seen from the first end.
-            for slot in [1, 3] {
-                seen[slot].1 = add(seen[slot].1, step);
-            }
+            let mut seen = [2 * k, 2 * k + 1].map(|half| see(half, &mut found));
+            // Both as seen from the first end.
+            seen[1].1 = add(seen[1].1, step);
             found.plates.push(seen.map(|(plate, _)| plate));
             found.middles.push(seen.map(|(_, middle)| middle));
         }
         found
-    }
-
-    /// The half-edge that leaves a vertex with more than half a turn free to its left.
-    fn widest(&self, vertex: usize, starts: &[usize], leaving: &[usize]) -> Option<usize> {
-        let around = &leaving[starts[vertex]..starts[vertex + 1]];
-        let is_wide = |(at, &half): (usize, &usize)| {
-            let (a, b) = (self.half(half).1, self.half(around[(at + 1) % around.len()]).1);
-            let angle = libm::atan2(cross(a, b), a[0] * b[0] + a[1] * b[1]);
-            (around.len() == 1 || angle < 0.0 || angle >= PI).then_some(half)
-        };
-        around.iter().enumerate().find_map(is_wide)
     }
 }
 

@@ -60,22 +60,9 @@ impl Row<'_> {
         self.set.pieces.get(id as usize)
     }
 
-    /// Where a pixel lies from its nearest edge: 0 to its left, 1 right, 2 behind its first end, 3 its second.
-    fn side(&self, x: usize, piece: &Piece, plates: &[i32; 4]) -> usize {
-        let side = (self.code[x] & 1) as usize;
-        let behind = |end: usize| piece.ends[end] && plates[2 + end] >= 0 && plates[2 + end] != plates[side];
-        let (first, second) = (behind(0), behind(1));
-        if !first && !second {
-            return side;
-        }
-        let [dx, dy] =
-            piece.from_start((self.corner[0] + x as i64) * UNIT + UNIT / 2, self.corner[1] * UNIT + UNIT / 2);
-        let foot = piece.foot(dx, dy);
-        match () {
-            () if first && foot.s <= 0.0 => 2,
-            () if second && foot.s >= piece.length => 3,
-            () => side,
-        }
+    /// To which side of its nearest edge a pixel lies: 0 left, 1 right.
+    fn side(&self, x: usize) -> usize {
+        (self.code[x] & 1) as usize
     }
 }
 
@@ -110,14 +97,12 @@ impl Scene<'_> {
         }
     }
 
+    /// The plates of every code, -1 where they may depend on the pixel.
     fn cells(&self, set: &Set, page: &Page) -> Vec<i32> {
         let sides = |id: &u32| {
             let piece = &set.pieces[*id as usize];
-            let plates = &self.sides.plates[piece.edge as usize];
-            [0, 1].map(|side| {
-                let same = |end: usize| !piece.ends[end] || plates[2 + end] < 0 || plates[2 + end] == plates[side];
-                if same(0) && same(1) { plates[side] } else { -1 }
-            })
+            let plates = self.sides.plates[piece.edge as usize];
+            if piece.ends == [false; 2] { plates } else { [-1; 2] }
         };
         page.ids.iter().flat_map(sides).collect()
     }
@@ -157,15 +142,35 @@ impl Scene<'_> {
         }
     }
 
-    fn plate(&self, row: &Row<'_>, x: usize) -> Option<&Plate> {
-        self.plates.get(self.plate_of(row, x, row.piece(x)?).0 as usize)
+    fn plate(&self, row: &Row<'_>, x: usize) -> Option<(&Plate, [f32; 2])> {
+        let (plate, place) = self.plate_of(row, x, row.piece(x)?);
+        Some((self.plates.get(plate as usize)?, place))
     }
 
-    /// The plate of a pixel, and on which side of its nearest edge that is.
-    fn plate_of(&self, row: &Row<'_>, x: usize, piece: &Piece) -> (i32, usize) {
-        let plates = &self.sides.plates[piece.edge as usize];
-        let side = row.side(x, piece, plates);
-        (plates[side], side)
+    /// The plate of a pixel, and from its middle to the pixel, data units, y up.
+    fn plate_of(&self, row: &Row<'_>, x: usize, piece: &Piece) -> (i32, [f32; 2]) {
+        let pixel = [row.corner[0] + x as i64, row.corner[1]].map(|pixel| pixel * UNIT + UNIT / 2);
+        let [dx, dy] = piece.from_start(pixel[0], pixel[1]);
+        let foot = piece.foot(dx, dy);
+        let edge = piece.edge as usize;
+        let end = if foot.s <= 0.0 { 0 } else { 1 };
+        let ends = foot.s <= 0.0 || foot.s >= piece.length;
+        if let Some(fans) = self.fans.as_ref().filter(|_| ends && piece.ends[end]) {
+            let along = if end == 0 { 0.0 } else { piece.length };
+            let place = [dx - along * piece.along[0], along * piece.along[1] - dy].map(f64::from);
+            if let Some((half, from_first)) = fans.beyond(self.pattern.edges[edge][end], place) {
+                let from_first = from_first.map(|part| part as f32);
+                return self.on_plate(half as usize / 2, half as usize % 2, from_first);
+            }
+        }
+        let from_first = [dx + piece.before * piece.along[0], -dy - piece.before * piece.along[1]];
+        self.on_plate(edge, row.side(x), from_first)
+    }
+
+    /// The plate on a side of an edge, and from its middle to a place known from the edge's first end, in pixels.
+    fn on_plate(&self, edge: usize, side: usize, from_first: [f32; 2]) -> (i32, [f32; 2]) {
+        let middle = self.sides.middles[edge][side];
+        (self.sides.plates[edge][side], [0, 1].map(|axis| from_first[axis] * self.data - middle[axis] as f32))
     }
 
     /// Signed distance to the crack where chips have widened it.
@@ -214,13 +219,21 @@ impl Scene<'_> {
         }
     }
 
-    fn relieve(&self, row: &Row<'_>, x: usize, piece: &Piece, plate: Option<&Plate>, rows: &Rows, maps: &mut Maps<'_>) {
+    fn relieve(
+        &self,
+        row: &Row<'_>,
+        x: usize,
+        piece: &Piece,
+        plate: Option<(&Plate, [f32; 2])>,
+        rows: &Rows,
+        maps: &mut Maps<'_>,
+    ) {
         let pixel = [row.corner[0] + x as i64, row.corner[1]].map(|pixel| pixel * UNIT + UNIT / 2);
         let [dx, dy] = piece.from_start(pixel[0], pixel[1]);
         let foot = piece.foot(dx, dy);
         let distance = self.chipped(row.distance[x], rows.chip[x].value);
-        let rise = self.rise(plate, row, x, piece, [dx, dy], rows.grain[x]);
-        let curl = self.profile.curl * plate.map_or(1.0, |plate| 1.0 - self.curl_spread * plate.curl);
+        let rise = self.rise(plate, rows.grain[x]);
+        let curl = self.profile.curl * plate.map_or(1.0, |(plate, _)| 1.0 - self.curl_spread * plate.curl);
         let found = self.profile.at(distance, foot.radius, rise.value, curl);
         if let Some(out) = stretch(&mut maps.height, row, 1) {
             out[x] = unit(found.height);
@@ -251,26 +264,14 @@ impl Scene<'_> {
     }
 
     /// How much higher than usual a plate is at a pixel.
-    fn rise(
-        &self,
-        plate: Option<&Plate>,
-        row: &Row<'_>,
-        x: usize,
-        piece: &Piece,
-        from_start: [f32; 2],
-        grain: Value,
-    ) -> Value {
+    fn rise(&self, plate: Option<(&Plate, [f32; 2])>, grain: Value) -> Value {
         let mut rise =
             Value { value: grain.value * self.grain_height, slope: grain.slope.map(|by| by * self.grain_height) };
-        let Some(plate) = plate else { return rise };
+        let Some((plate, place)) = plate else { return rise };
         rise.value += plate.level * self.level;
-        if let Some(middles) = self.sides.middles.get(piece.edge as usize).filter(|_| self.tilt != 0.0) {
-            // The pixel from the plate's middle, data units: through the start of the edge, which knows both.
-            let [right, down] = [0, 1].map(|axis| (from_start[axis] + piece.before * piece.along[axis]) * self.data);
-            let middle = middles[self.plate_of(row, x, piece).1];
-            let [x, y] = [right - middle[0] as f32, -down - middle[1] as f32];
+        if self.tilt != 0.0 {
             let by = plate.tilt.map(|part| part * self.tilt);
-            rise.value += x * by[0] + y * by[1];
+            rise.value += place[0] * by[0] + place[1] * by[1];
             rise.slope = [rise.slope[0] + by[0] * self.data, rise.slope[1] - by[1] * self.data];
         }
         rise
@@ -284,7 +285,7 @@ impl Scene<'_> {
             let covered = maps.mask.as_ref().map_or(0.0, |mask| f32::from(mask[row.start + x]) / 255.0);
             let chipped = unit(0.5 - distance);
             let crack = if self.chip_depth > 0.0 && chipped > covered { chipped } else { covered };
-            let tint = if tinted { self.plate(row, x).map_or(0.0, |plate| plate.tint) } else { 0.0 };
+            let tint = if tinted { self.plate(row, x).map_or(0.0, |(plate, _)| plate.tint) } else { 0.0 };
             let place = Place { distance, crack, tint, mottle: rows.mottle[x].value, grain: rows.grain[x].value };
             if let Some(out) = stretch(&mut maps.color, row, 3) {
                 out[3 * x..3 * x + 3].copy_from_slice(&self.look.color(&place));

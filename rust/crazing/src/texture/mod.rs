@@ -9,6 +9,7 @@ mod bands;
 mod bins;
 mod coverage;
 mod faces;
+mod fans;
 mod finish;
 mod grid;
 mod look;
@@ -35,6 +36,7 @@ use crate::rng::Key;
 use crate::watch::Watch;
 use bands::Bands;
 use bins::Bins;
+use fans::Fans;
 use finish::{Part, Rows};
 use grid::{Grid, UNIT};
 use look::Look;
@@ -96,6 +98,8 @@ struct Scene<'a> {
     profile: Profile,
     look: Look,
     plates: Vec<Plate>,
+    /// Where there is more than one plate.
+    fans: Option<Fans>,
     grain: Vec<Noise>,
     mottle: Vec<Noise>,
     chip: Vec<Noise>,
@@ -200,6 +204,7 @@ impl<'a> Scene<'a> {
             profile: Profile::new(material, scale),
             look: Look::new(material, scale),
             plates,
+            fans: (sides.reaches.len() > 1).then(|| Fans::new(&pattern, &grid)).transpose()?,
             grain: octaves(wants_grain, 0, material.grain_size, 2),
             mottle: octaves(wants_look, 1, material.mottle_size, 3),
             chip: octaves(material.chip > 0.0 && (wants_profile || wants_look), 2, material.chip_size, 2),

@@ -7,11 +7,10 @@ use crate::rng::{Key, block, open_unit, stream};
 /// What lies on either side of every edge.
 #[derive(Debug, Clone, Copy)]
 pub struct Sides<'a> {
-    /// The plates to the left and to the right of each edge, and behind its first and its second end; -1
-    /// where an end has none of its own behind it.
-    pub plates: &'a [[i32; 4]],
+    /// The plates to the left and to the right of each edge, from its first end to its second.
+    pub plates: &'a [[i32; 2]],
     /// From the first end of each edge to the middles of these plates, data units.
-    pub middles: &'a [[[f64; 2]; 4]],
+    pub middles: &'a [[[f64; 2]; 2]],
     /// The farthest corner of each plate from its middle, data units.
     pub reaches: &'a [f64],
 }
@@ -24,7 +23,7 @@ impl Sides<'_> {
                 return Err(Error::BadLength { array, found, wanted });
             }
         }
-        check_indices("plates", self.plates, -1, self.reaches.len())
+        check_indices("plates", self.plates, 0, self.reaches.len())
     }
 }
 
