@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.metadata
 import subprocess
 import sys
@@ -23,7 +24,16 @@ assert cz.maze(np.random.default_rng(7).random((500, 2)), rng=7).passages.shape 
 
 # NumPy, click, rich and what these bring; no extra came along.
 installed = {dist.name.lower() for dist in importlib.metadata.distributions()}
-extras = installed & {"contourpy", "matplotlib", "networkx", "pillow", "scipy", "scikit-image"}
+extras = installed & {
+    "anywidget",
+    "contourpy",
+    "matplotlib",
+    "networkx",
+    "pillow",
+    "scipy",
+    "scikit-image",
+    "starlette",
+}
 assert not extras, f"the wheel brings {extras}"
 
 try:
@@ -32,6 +42,14 @@ try:
 except ImportError as error:
     hint = str(error)
 assert "crazing[plot]" in hint, hint
+
+# The editor's page came along; what serves it is an extra.
+module = importlib.import_module("crazing.edit.front")
+assert module.module().count("export default") == 1
+assert all(module.text(name) for name in ("editor.css", "host.css", "host.js", "page.html", "favicon.svg"))
+edit = subprocess.run(["crazing", "edit", "--no-browser"], capture_output=True, text=True)
+assert edit.returncode == 2, edit
+assert "crazing[edit]" in edit.stderr, edit.stderr
 
 compare = subprocess.run(["crazing", "compare", "crack.png", "-o", "figure.png"], capture_output=True, text=True)
 assert compare.returncode, "compare needs extras that are not here"

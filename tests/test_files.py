@@ -10,6 +10,7 @@ import sys
 import time
 from pathlib import Path
 
+import imagecodecs
 import numpy as np
 import pytest
 from PIL import Image
@@ -59,6 +60,26 @@ def test_booleans_and_strides():
         np.testing.assert_array_equal(read(file)[0], image * 255)
 
 
+@pytest.mark.parametrize("channels", [1, 2, 3, 4])
+@pytest.mark.parametrize("order", ["<u2", ">u2"])
+def test_sixteen_bits_come_back(tmp_path, channels, order):
+    image = np.random.default_rng(1).integers(0, 1 << 16, (40, 33, channels)).astype(order)
+    image[:, 10:20] = 7
+    cz.save_png(tmp_path / "a.png", image, srgb=False)
+    # Pillow makes eight bits of deep colour, OpenCV four channels of grey and alpha.
+    found = imagecodecs.png_decode((tmp_path / "a.png").read_bytes())
+    assert found.dtype == np.uint16
+    np.testing.assert_array_equal(found.reshape(image.shape), image)
+    assert "srgb" not in read(tmp_path / "a.png")[2]
+
+
+def test_density_is_kept(tmp_path):
+    cz.save_png(tmp_path / "a.png", picture((2, 2)), density=(4000, 2000.4))
+    assert read(tmp_path / "a.png")[2]["dpi"] == pytest.approx((4000 * 0.0254, 2000 * 0.0254))
+    cz.save_png(tmp_path / "a.png", picture((2, 2)), density=(1e12, 1.0))
+    assert "dpi" not in read(tmp_path / "a.png")[2]
+
+
 def test_texts(tmp_path):
     words = {"Title": "Risse im Überzug", "Author": "釉\nglaze", "Comment": ""}
     cz.save_png(tmp_path / "a.png", picture((2, 2)), text=words)
@@ -71,7 +92,7 @@ def test_texts(tmp_path):
     ("image", "text", "error", "words"),
     [
         (np.zeros((3, 3)), None, TypeError, r"image \* 255"),
-        (np.zeros((3, 3), dtype=np.uint16), None, TypeError, "uint16"),
+        (np.zeros((3, 3), dtype=np.int32), None, TypeError, "int32"),
         (np.zeros(3, dtype=np.uint8), None, ValueError, "shape"),
         (np.zeros((3, 3, 5), dtype=np.uint8), None, ValueError, "shape"),
         (np.zeros((0, 3), dtype=np.uint8), None, ValueError, "not empty"),

@@ -85,6 +85,14 @@ def test_the_package_is_typed_and_licensed() -> None:
     assert importlib.metadata.metadata("crazing")["License-Expression"] == "MIT"
 
 
+def test_the_editors_page_is_in_the_package(root: Path) -> None:
+    folder = Path("edit", "front")
+    sources = {path.name: path.read_bytes() for path in (root / "python" / "crazing" / folder).iterdir()}
+    shipped = {path.name: path.read_bytes() for path in (Path(cz.__file__).parent / folder).iterdir()}
+    assert {"editor.js", "editor.css", "page.html", "host.js", "host.css", "favicon.svg"} <= sources.keys()
+    assert shipped == sources
+
+
 def test_no_machine_path_or_registry_host_is_committed(root: Path) -> None:
     listing = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True)
     if listing.returncode:

@@ -6,9 +6,11 @@ import inspect
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import special, stats
+from scipy.spatial import cKDTree
 
 import crazing as cz
 from crazing.errors import CrazingError
@@ -130,3 +132,84 @@ def test_bad_bounds(bounds) -> None:
 def test_everything_after_n_is_keyword_only(sampler) -> None:
     kinds = [parameter.kind for parameter in inspect.signature(sampler).parameters.values()]
     assert kinds[1:] == [inspect.Parameter.KEYWORD_ONLY] * (len(kinds) - 1)
+
+
+@pytest.mark.parametrize("period", [None, (1.0, 2.0), (0.5, 0.06)])
+def test_poisson_disks_keep_their_distance_and_leave_no_room(period) -> None:
+    radius = 0.05
+    points = cz.sample.poisson_disk(radius, bounds=(0, 0, 1, 2), period=period, rng=3)
+    box = np.array(period or (1.0, 2.0))
+    tree = cKDTree(points, boxsize=box if period else None)
+    assert tree.query(points, k=2)[0][:, 1].min() >= radius * (1 - 1e-12)
+    # Maximal: hardly a place is farther than a radius from all.
+    places = cz.sample.uniform(4000, rng=1) * box
+    assert (tree.query(places)[0] > radius).mean() < 0.03
+    assert ((points >= 0) & (points <= box)).all()
+    np.testing.assert_array_equal(points, cz.sample.poisson_disk(radius, bounds=(0, 0, 1, 2), period=period, rng=3))
+    if period is None:
+        assert len(points) * radius**2 / 2 == pytest.approx(0.7, abs=0.05)
+
+
+@pytest.mark.parametrize("radius", [0, -1, np.nan, 1e-9, "far"])
+def test_bad_radius(radius) -> None:
+    with pytest.raises((TypeError, ValueError), match="radius"):
+        cz.sample.poisson_disk(radius)
+
+
+def test_density_is_the_law_of_the_pixels() -> None:
+    image = np.array([[0, 51, 255], [102, 0, 204]], dtype=np.uint8)
+    points = cz.sample.from_density(image, 30_000, bounds=(0, 0, 3, 2), rng=5)
+    column, row = points[:, 0].astype(int), 1 - points[:, 1].astype(int)
+    found = np.zeros((2, 3))
+    np.add.at(found, (row, column), 1)
+    assert (found[image == 0] == 0).all()
+    wanted = image / image.sum() * len(points)
+    assert stats.chisquare(found[image > 0], wanted[image > 0]).pvalue > 1e-3
+    inside = points - np.floor(points)
+    assert all(stats.kstest(axis, "uniform").pvalue > 1e-3 for axis in inside.T)
+    np.testing.assert_array_equal(points[:10], cz.sample.from_density(image, 10, bounds=(0, 0, 3, 2), rng=5))
+
+
+@pytest.mark.parametrize("image", [np.zeros((2, 2)), [[-1.0, 2.0]], [[np.nan]], np.empty((0, 3)), [1.0, 2.0]])
+def test_bad_density(image) -> None:
+    with pytest.raises(ValueError, match=r"density|image|pixel"):
+        cz.sample.from_density(image, 3)
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 50, 200])
+def test_relaxed_points_are_centroids_of_clipped_cells_by_shapely(n: int) -> None:
+    points = cz.sample.uniform(n, bounds=(0, 0, 2, 1), rng=n)
+    box = shapely.box(0, 0, 2, 1)
+    cells = shapely.get_parts(shapely.voronoi_polygons(shapely.MultiPoint(points), extend_to=box.buffer(9)))
+    cells = shapely.intersection(cells, box) if n > 1 else np.array([box])
+    tree = shapely.STRtree(cells)
+    owner = tree.query(shapely.points(points), predicate="within")[1]
+    wanted = shapely.get_coordinates(shapely.centroid(cells[owner]))
+    found = cz.sample.relax(points, iterations=1, bounds=(0, 0, 2, 1))
+    np.testing.assert_allclose(found, wanted, atol=1e-9)
+
+
+def test_relaxing_on_a_torus_is_relaxing_copies() -> None:
+    points = cz.sample.uniform(60, bounds=(0, 0, 1, 0.5), rng=3)
+    copies = np.concatenate([points + np.array((a, b / 2)) for a in (0, -1, 1) for b in (0, -1, 1)])
+    wanted = cz.sample.relax(copies, iterations=1, bounds=(-1, -0.5, 2, 1))[:60]
+    found = cz.sample.relax(points, iterations=1, bounds=(0, 0, 1, 0.5), period=(1, 0.5))
+    np.testing.assert_allclose((found - wanted + 0.25) % (1, 0.5), 0.25, atol=1e-12)
+    # Shifted by any amount it is the same.
+    moved = cz.sample.relax(points + 7.3, iterations=1, bounds=(7.3, 7.3, 8.3, 7.8), period=(1, 0.5))
+    np.testing.assert_allclose((moved - 7.3 - found + 0.25) % (1, 0.5), 0.25, atol=1e-9)
+
+
+def test_relaxing_evens_out() -> None:
+    points = cz.sample.uniform(300, rng=1)
+    nearest = [
+        cKDTree(p).query(p, k=2)[0][:, 1].std() / cKDTree(p).query(p, k=2)[0][:, 1].mean()
+        for p in (cz.sample.relax(points, iterations=k, bounds=(0, 0, 1, 1)) for k in (0, 1, 5, 30))
+    ]
+    assert nearest == sorted(nearest, reverse=True) and nearest[-1] < 0.15
+
+
+@pytest.mark.parametrize("more", [{"iterations": -1}, {"bounds": (0, 0, 0, 1)}, {"period": (2, 1)}])
+def test_bad_relaxation(more) -> None:
+    with pytest.raises(ValueError, match=r"iterations|bounds|period"):
+        cz.sample.relax([(0.5, 0.5)], **{"iterations": 1, "bounds": (0, 0, 1, 1), **more})

@@ -155,3 +155,34 @@ def index_pairs(values: ArrayLike, name: str, *, limit: int) -> NDArray[np.int32
         pair = tuple(array[row].tolist())
         raise ValueError(f"{name}[{row}] is {pair}; indices from 0 to less than {limit} are wanted")
     return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def index_chains(values: Any, name: str, *, limit: int) -> NDArray[np.int32]:
+    """`values` as an (n, 2) int32 array of indices below `limit`: as it is, or neighbours in its chains."""
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        array = None
+    if array is not None and (
+        array.size == 0 or (array.ndim == 2 and array.shape[1] == 2) or array.dtype.kind not in "iuO"
+    ):
+        return index_pairs(values, name, limit=limit)
+    if not isinstance(values, Iterable) or np.ndim(next(iter(values))) != 1:
+        raise ValueError(f"{name} is {_found(values)}; pairs of indices, or chains of them, are wanted")
+    chains = []
+    for number, chain in enumerate(values):
+        row = np.asarray(chain)
+        if row.ndim != 1:
+            raise ValueError(f"{name}[{number}] has shape {row.shape}; a chain of indices is wanted")
+        chains.append(index_pairs(np.column_stack([row[:-1], row[1:]]), f"{name}[{number}]", limit=limit))
+    return np.concatenate(chains)
+
+
+def cell_row(values: ArrayLike, name: str, cells: int) -> NDArray[np.int32]:
+    """`values` as a (k,) int32 array of cells below `cells`."""
+    array = np.asarray(values)
+    if array.ndim != 1 or (array.size and array.dtype.kind not in "iu"):
+        raise TypeError(f"{name} is {_found(values)}; a row of cells is wanted")
+    if array.size and not (array.min() >= 0 and array.max() < cells):
+        raise ValueError(f"{name} goes by cell {array.min()} or {array.max()}; 0 to {cells - 1} are wanted")
+    return np.ascontiguousarray(array, dtype=np.int32)

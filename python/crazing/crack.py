@@ -1,18 +1,16 @@
-"""Crack patterns: the walls of a maze, with a width."""
+"""Crack patterns: drawings with a width, and who abuts whom."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import os
+from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from crazing import _core, sample
-from crazing import rng as _rng
-from crazing.arguments import bounds_tuple, count, number
-from crazing.diagram import Diagram, as_diagram, bounds_of
+from crazing import _core
+from crazing.arguments import number
 from crazing.graph import PlanarGraph
-from crazing.maze import maze
 from crazing.record import Record
 
 
@@ -23,15 +21,24 @@ class Crack(Record):
     Attributes
     ----------
     graph : PlanarGraph
-        Centrelines; every vertex has an edge.
+        Centrelines; every vertex has an edge. On a torus the vertices lie in `bounds`, one period, and edges may run
+        on beyond it, see `shifts`.
     width : (e, 2) float64
         Width at the two ends of each edge, data units; 0 at a free tip.
     strand : (e,) int32
-        The strand of each edge: a crack that runs through several edges. Strand 0 is the longest.
+        The strand of each edge: a crack that runs through several edges. Strand 0 is the oldest, of a maze the longest.
     generation : (e,) int32
-        0 for a strand that abuts no longer one, else one more than the youngest longer strand it abuts.
+        0 for a strand that abuts no older one, else one more than its parent's. Of two strands of a maze the longer is
+        the older; strands that split plates know their age.
     bounds : (xmin, ymin, xmax, ymax)
-        What the pattern is clipped to, data units.
+        What the pattern is clipped to, data units; on a torus one period.
+    period : (width, height) or None
+        What is repeated.
+    shifts : (e, 2) int8
+        Periods that edge `k` crosses in x and y: it runs from ``vertices[edges[k, 0]]`` to
+        ``vertices[edges[k, 1]] + shifts[k] * period``. Zeros without a period.
+    parent : (e,) int32
+        The strand that the strand of each edge abuts: the youngest of the older ones at its ends; -1 for none.
     """
 
     graph: PlanarGraph
@@ -39,96 +46,145 @@ class Crack(Record):
     strand: NDArray[np.int32]
     generation: NDArray[np.int32]
     bounds: tuple[float, float, float, float]
+    period: tuple[float, float] | None = None
+    shifts: NDArray[np.int8] = field(default=None)  # type: ignore[arg-type]
+    parent: NDArray[np.int32] = field(default=None)  # type: ignore[arg-type]
+
+    def __post_init__(self) -> None:
+        edges = len(self.graph.edges)
+        # What is not given takes no memory.
+        for name, value, dtype, shape in (
+            ("shifts", 0, np.int8, (edges, 2)),
+            ("parent", -1, np.int32, (edges,)),
+        ):
+            given = getattr(self, name)
+            array = np.asarray(value if given is None else given, dtype=dtype)
+            object.__setattr__(self, name, np.broadcast_to(array, shape))
+        super().__post_init__()
 
     @property
-    def period(self) -> None:
-        """None: the pattern does not repeat."""
-        return None
+    def segments(self) -> NDArray[np.float64]:
+        """(e, 2, 2) float64, the positions of both ends of every edge; the second may lie beyond the period."""
+        ends = self.graph.segments
+        if self.period is not None:
+            ends[:, 1] += self.shifts * np.asarray(self.period)
+        return ends
+
+    @property
+    def arrivals(self) -> NDArray[np.float64]:
+        """(e, 2) float64, when the crack gets to both ends of every edge, 0 to 1.
+
+        Strands start one after the other, the oldest first, none before its parent is there; from the parent, or from
+        their middle, tips advance at one speed.
+        """
+        period = (0.0, 0.0) if self.period is None else self.period
+        shifts = self.shifts if self.period is not None else np.empty((0, 2), dtype=np.int8)
+        cut = np.zeros(len(self.graph.vertices), dtype=bool)
+        net = self.graph.vertices, self.graph.edges, np.ascontiguousarray(shifts), period, cut
+        return _core.crack_arrivals(net, np.ascontiguousarray(self.strand), np.ascontiguousarray(self.parent))
+
+    def at(self, age: float) -> Crack:
+        """The pattern while it grows: older strands first, tips advancing, and wider the older a place is.
+
+        Parameters
+        ----------
+        age : float
+            0, when there is nothing yet, to 1, the whole pattern.
+
+        Returns
+        -------
+        Crack
+            What is there at that age; edges on the way are cut where their tip is.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the age is no number from 0 to 1.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> c = cz.crack(preset="glaze", rng=1)
+        >>> [round(c.at(age).graph.length / c.graph.length, 1) for age in (0, 0.5, 1)]
+        [0.0, ..., 1.0]
+        >>> c.at(1) == c
+        True
+        """
+        age = number(age, "age", low=0, high=1)
+        if age == 1:
+            return self
+        when = self.arrivals
+        first = when.argmin(axis=1)
+        rows = np.flatnonzero(when.min(axis=1, initial=np.inf) < age)
+        edges, segments, when, first = self.graph.edges[rows].copy(), self.segments[rows], when[rows], first[rows]
+        width = self.width[rows] * _opened(when, age)
+        shifts = self.shifts[rows].copy()
+        growing = np.flatnonzero(when.max(axis=1, initial=-np.inf) > age)
+        start = first[growing]
+        here, there = segments[growing, start], segments[growing, 1 - start]
+        early, late = when[growing, start], when[growing, 1 - start]
+        part = (age - early) / (late - early)
+        tips = here + part[:, None] * (there - here)
+        edges[growing, 1 - start] = len(self.graph.vertices) + np.arange(len(growing))
+        # A tip is seen from the vertex its edge comes from: the second one of an edge may lie some periods away.
+        away = shifts[growing]
+        if self.period is not None:
+            tips -= np.where(start[:, None] == 1, away, 0) * np.asarray(self.period)
+            shifts[growing] = 0
+        width[growing, 1 - start] = 0
+        graph = PlanarGraph(np.concatenate([self.graph.vertices, tips]), edges).compact()
+        return replace(
+            self,
+            graph=graph,
+            width=width,
+            shifts=shifts,
+            **{name: getattr(self, name)[rows] for name in ("strand", "generation", "parent")},
+        )
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the pattern as a drawing, in data units; an existing file is replaced.
+
+        A pattern on a torus is drawn over one period: edges that leave it run on beyond its sides.
+
+        Parameters
+        ----------
+        path : str or path-like
+            Its ending decides the format. `.svg`: a group of outlines with the true widths, and a hidden one of
+            centrelines, a group in each for every generation. `.dxf` (needs ezdxf, the extra `cad`): polylines with
+            their widths, a layer for every generation. `.geojson`: a line for every strand, with the properties
+            strand, generation, parent (null for none), width (largest), widths (one a point).
+
+        Raises
+        ------
+        ValueError
+            If the ending is another.
+        OSError
+            If the file cannot be written; what stood there before is then untouched.
+        ImportError
+            If ezdxf is needed and not installed.
+
+        Examples
+        --------
+        >>> import json, os, tempfile
+        >>> import crazing as cz
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = os.path.join(folder, "crack.geojson")
+        ...     cz.crack(n=50, rng=1).save(path)
+        ...     with open(path) as file:
+        ...         sorted(json.load(file)["features"][0]["properties"])
+        ['generation', 'parent', 'strand', 'width', 'widths']
+        """
+        from crazing import vectors
+
+        vectors.save(self, path)
 
     def __repr__(self) -> str:
         strands = int(self.strand.max(initial=-1)) + 1
-        return f"Crack({len(self.graph.edges)} edges, {strands} strands, bounds {self.bounds})"
+        period = "" if self.period is None else f", period {self.period}"
+        return f"Crack({len(self.graph.edges)} edges, {strands} strands, bounds {self.bounds}{period})"
 
 
-def crack(
-    points: ArrayLike | Diagram | None = None,
-    *,
-    n: int | None = None,
-    opening: float = 1.0,
-    width: float | None = None,
-    hierarchy: float = 0.5,
-    taper: float = 0.5,
-    bounds: ArrayLike | None = None,
-    rng: _rng.RNG = None,
-) -> Crack:
-    """A crack pattern: the walls of a depth-first maze over points, with widths that run out to the free tips.
-
-    Parameters
-    ----------
-    points : (n, 2) array_like or Diagram, optional
-        Where the plates between the cracks are; cracks are finest where points are dense. By default `n` uniform
-        points in `bounds`.
-    n : int, optional
-        Number of uniform points when `points` is not given, 300 by default.
-    opening : float, optional
-        The share of the maze's passages that are really opened: 1 is the thesis (cracks are trees), 0 leaves every
-        plate closed all round. Paint and glaze measure .6 to .85.
-    width : float, optional
-        Width of the longest crack, data units. By default an eighth of the median distance between neighbouring points.
-    hierarchy : float, optional
-        Width grows with this power of the length of a crack: 0 makes all alike, .5 is what real cracks show.
-    taper : float, optional
-        The part of a crack over which a free tip runs out, 0 to 1.
-    bounds : (xmin, ymin, xmax, ymax), optional
-        What the pattern is clipped to, data units. By default the unit square without `points`, else their bounding
-        box grown by a tenth.
-    rng : int, numpy.random.Generator or None, optional
-        Seed. The same seed gives the same pattern on every platform.
-
-    Returns
-    -------
-    Crack
-
-    Raises
-    ------
-    TypeError, ValueError
-        If both `points` and `n` are given, or a number is out of range.
-    CrazingError
-        If a coordinate is NaN or infinite.
-
-    Notes
-    -----
-    Source: thesis, section 8; strands and width after measurements of real cracks.
-
-    Examples
-    --------
-    >>> import crazing as cz
-    >>> uniform = cz.crack(n=200, rng=7)
-    >>> impact = cz.crack(cz.sample.laplace(200, rng=7), rng=7)
-    >>> uniform.bounds, bool(impact.width.min() == 0)
-    ((0.0, 0.0, 1.0, 1.0), True)
-    """
-    opening = number(opening, "opening", low=0, high=1)
-    hierarchy = number(hierarchy, "hierarchy", low=0, high=8)
-    taper = number(taper, "taper", low=0, high=1)
-    if points is not None and n is not None:
-        raise ValueError("points and n are both given; n is for uniform points without points")
-    seed = np.random.default_rng(rng)
-    if points is None:
-        bounds = bounds_tuple((0, 0, 1, 1) if bounds is None else bounds)
-        points = sample.uniform(300 if n is None else count(n, "n"), bounds=bounds, rng=seed)
-    diagram = as_diagram(points)
-    box = bounds_of(diagram, bounds)
-    width = _default_width(diagram) if width is None else number(width, "width", low=0)
-    open_doors = maze(diagram, opening=opening, bounds=box, rng=seed).open
-    found = _core.crack(diagram.arrays, open_doors, box, width, hierarchy, taper)
-    vertices, edges, widths, strand, generation = found
-    return Crack(PlanarGraph(vertices, edges), widths, strand, generation, box)
-
-
-def _default_width(diagram: Diagram) -> float:
-    """An eighth of the median length of the Delaunay edges: the mean would follow far outliers."""
-    if not len(diagram.edges):
-        return 0.0
-    ends = diagram.sites[diagram.edges]
-    return float(np.median(np.hypot(*(ends[:, 1] - ends[:, 0]).T))) / 8
+def _opened(when: NDArray[np.float64], age: float) -> NDArray[np.float64]:
+    """The part of its width that a place has reached: it opens with the square root of its own age."""
+    rest = np.maximum(1 - when, 1e-9)
+    return np.asarray(np.sqrt(np.clip((age - when) / rest, 0, 1)))

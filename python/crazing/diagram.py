@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core
-from crazing.arguments import bounds_tuple, period_pair, points_array
+from crazing.arguments import bounds_tuple, index_chains, period_pair, points_array
 from crazing.graph import PlanarGraph
+from crazing.quad_edge import QuadEdge
 from crazing.record import Record
 
 
@@ -46,6 +47,11 @@ class Diagram(Record):
         ``sites[edges[k, 1]] + shifts[k] * period``. Zeros without a period.
     dual_shifts : (m, 2) int8
         The same for the dual edge, from the vertex on the right to the one on the left.
+    constrained : (m,) bool
+        Whether edge `k` lies on a constraint. Where one does, the triangulation is a constrained Delaunay one: circles
+        about triangles are empty only of sites that can be seen from within across no constraint. `vertices` are then
+        circumcentres still, and `dual_edges` the neighbourhood of triangles, but no Voronoi diagram; what needs one,
+        such as curves and Voronoi mazes, refuses it.
     """
 
     sites: NDArray[np.float64]
@@ -57,6 +63,7 @@ class Diagram(Record):
     shifts: NDArray[np.int8] = field(default=None)  # type: ignore[arg-type]
     dual_shifts: NDArray[np.int8] = field(default=None)  # type: ignore[arg-type]
     period: tuple[float, float] | None = None
+    constrained: NDArray[np.bool_] = field(default=None)  # type: ignore[arg-type]
 
     def __post_init__(self) -> None:
         # The core takes C-contiguous arrays of these types, whoever made them.
@@ -68,6 +75,9 @@ class Diagram(Record):
             # Zeros that take no memory.
             given = np.int8(0) if getattr(self, name) is None else getattr(self, name)
             object.__setattr__(self, name, np.broadcast_to(np.asarray(given, dtype=np.int8), self.edges.shape))
+        given = vars(self)["constrained"]
+        constrained = np.asarray(False if given is None else given, dtype=bool)
+        object.__setattr__(self, "constrained", np.broadcast_to(constrained, len(self.edges)))
         super().__post_init__()
 
     @property
@@ -78,7 +88,9 @@ class Diagram(Record):
     @cached_property
     def quad_edge(self) -> QuadEdge:
         """The edge table seen through Guibas and Stolfi's operators."""
-        return QuadEdge(self, _core.onext(self.arrays))
+        return QuadEdge(
+            self, _core.onext(self.arrays, None if self.period is None else np.ascontiguousarray(self.shifts))
+        )
 
     @property
     def delaunay(self) -> PlanarGraph:
@@ -108,7 +120,8 @@ class Diagram(Record):
         Raises
         ------
         ValueError
-            If the bounds are not finite or have no area, or are given for a periodic diagram.
+            If the bounds are not finite or have no area, or are given for a periodic diagram, or the diagram has
+            constraints.
 
         Examples
         --------
@@ -117,6 +130,7 @@ class Diagram(Record):
         >>> d.voronoi((0, 0, 1, 1)).length > 2
         True
         """
+        unconstrained(self)
         if self.period is not None:
             bounds_of(self, bounds)
             return tiled(self.vertices, self.dual_edges, self.dual_shifts, self.period)
@@ -134,123 +148,16 @@ Arrays: TypeAlias = tuple[
 ]
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class QuadEdge(Record):
-    """Guibas and Stolfi's quad-edge over a diagram.
-
-    Quarter-edge ``q = 4 * k + r`` is edge `k` turned by `r` quarters: `r` = 0 runs from ``edges[k, 0]`` to
-    ``edges[k, 1]``, 1 is its dual from the right to the left, 2 and 3 are these two reversed. All operators take and
-    give arrays of quarter-edges.
-
-    Attributes
-    ----------
-    diagram : Diagram
-        Whose edges these are.
-    links : (4 m,) int32
-        `onext` of every quarter-edge.
-
-    Examples
-    --------
-    >>> import crazing as cz
-    >>> quad = cz.diagram([(0, 0), (1, 0), (0, 1)]).quad_edge
-    >>> bool((quad.rot(quad.onext(quad.rot(quad.onext(quad.all)))) == quad.all).all())
-    True
-    """
-
-    diagram: Diagram
-    links: NDArray[np.int32]
-
-    @property
-    def all(self) -> NDArray[np.int32]:
-        """Every quarter-edge, (4 m,) int32."""
-        return np.arange(len(self.links), dtype=np.int32)
-
-    def rot(self, q: ArrayLike) -> NDArray[np.int32]:
-        """The dual, from the right to the left.
-
-        Parameters
-        ----------
-        q : array_like of int
-            Quarter-edges.
-
-        Returns
-        -------
-        ndarray of int32
-            Quarter-edges.
-        """
-        q = quarters(q, self.links)
-        return (q & ~3) | ((q + 1) & 3)
-
-    def sym(self, q: ArrayLike) -> NDArray[np.int32]:
-        """The same edge the other way.
-
-        Parameters
-        ----------
-        q : array_like of int
-            Quarter-edges.
-
-        Returns
-        -------
-        ndarray of int32
-            Quarter-edges.
-        """
-        return quarters(q, self.links) ^ 2
-
-    def onext(self, q: ArrayLike) -> NDArray[np.int32]:
-        """The next quarter-edge counter-clockwise about the same origin.
-
-        Parameters
-        ----------
-        q : array_like of int
-            Quarter-edges.
-
-        Returns
-        -------
-        ndarray of int32
-            Quarter-edges.
-        """
-        found: NDArray[np.int32] = self.links[quarters(q, self.links)]
-        return found
-
-    def origin(self, q: ArrayLike) -> NDArray[np.int32]:
-        """Where it starts.
-
-        Parameters
-        ----------
-        q : array_like of int
-            Quarter-edges.
-
-        Returns
-        -------
-        ndarray of int32
-            Sites where `q` is even, Voronoi vertices (or -1, infinity) where it is odd.
-        """
-        q = quarters(q, self.links)
-        k, r = q >> 2, q & 3
-        dual: NDArray[np.int32] = self.diagram.dual_edges[k, r >> 1]
-        return np.where(r & 1, dual, self.diagram.edges[k, r >> 1])
-
-    def __repr__(self) -> str:
-        return f"QuadEdge({len(self.links)} quarter-edges)"
-
-
-def quarters(q: ArrayLike, links: NDArray[np.int32]) -> NDArray[np.int32]:
-    """`q` as an int32 array of quarter-edges that exist."""
-    array = np.asarray(q)
-    if array.dtype.kind not in "iu" and array.size:
-        raise TypeError(f"quarter-edges have dtype {array.dtype}; integers are wanted")
-    if array.size and not (array.min() >= 0 and array.max() < len(links)):
-        raise ValueError(f"a quarter-edge is {array.min()} or {array.max()}; 0 to {len(links) - 1} are wanted")
-    return np.asarray(array, dtype=np.int32)
-
-
-def diagram(points: ArrayLike, *, period: ArrayLike | None = None) -> Diagram:
+def diagram(points: ArrayLike, *, constraints: Any = None, period: ArrayLike | None = None) -> Diagram:
     """Delaunay triangulation and Voronoi diagram of points, in the plane or on a torus.
 
     Parameters
     ----------
     points : (rows, 2) array_like
         Finite coordinates. Duplicates are merged. A coordinate smaller than 2**-126 of the largest one counts as zero.
+    constraints : (k, 2) array_like of int, or list of array_like of int, optional
+        Edges that must be there, as two rows of `points` each; or chains of rows, closed where the first is repeated
+        at the end. They may touch, not cross or overlap. One that passes through a site is several edges.
     period : (width, height), optional
         Repeat the points with this period in x and y. Sites are moved into [0, width) x [0, height).
 
@@ -266,15 +173,18 @@ def diagram(points: ArrayLike, *, period: ArrayLike | None = None) -> Diagram:
     Raises
     ------
     CrazingError
-        If a coordinate is NaN or infinite, or the sides of the period differ more than 2**32 times.
+        If a coordinate is NaN or infinite, or the sides of the period differ more than 2**32 times; if two
+        constraints cross or overlap (the message names them by their rows), or one joins a point to itself.
     TypeError, ValueError
-        If `points` is not an (n, 2) array of real numbers, or `period` not two positive ones.
+        If `points` is not an (n, 2) array of real numbers, `constraints` not rows of it, or `period` not two positive
+        numbers; if both are given.
 
     Notes
     -----
     Source: thesis, sections 3.1 and 3.2. Triangulated by spade, points inserted in rounds of doubling size along a
     Hilbert curve (Amenta, Choi, Rote 2003). With a period: after Caroli and Teillaud (2009), by copies, but only of
-    the points near the sides.
+    the points near the sides. Constraints: Chew (1989); crossings are found by a sweep with exact signs (Shamos, Hoey
+    1976) before any is inserted.
 
     Examples
     --------
@@ -291,7 +201,16 @@ def diagram(points: ArrayLike, *, period: ArrayLike | None = None) -> Diagram:
     Diagram(3 sites, 9 edges, 6 triangles, period (1.0, 1.0))
     >>> torus.shifts.min(), torus.shifts.max()
     (np.int8(-1), np.int8(1))
+    >>> kite = cz.diagram([(0, 0), (2, -1), (4, 0), (2, 1)], constraints=[(0, 2)])
+    >>> kite.edges[kite.constrained]
+    array([[0, 2]], dtype=int32)
     """
+    if constraints is not None:
+        if period is not None:
+            raise ValueError("constraints and period are both given; a torus has no constraints")
+        rows = points_array(points)
+        arrays, constrained = _core.constrained_diagram(rows, index_chains(constraints, "constraints", limit=len(rows)))
+        return Diagram(*arrays, constrained=constrained)
     if period is None:
         return Diagram(*_core.diagram(points_array(points)))
     sides = period_pair(period)
@@ -304,7 +223,14 @@ def as_diagram(points: ArrayLike | Diagram) -> Diagram:
         return diagram(points)
     if points.period is not None:
         raise ValueError("points is a periodic diagram; a diagram in the plane is wanted")
-    return points
+    return unconstrained(points)
+
+
+def unconstrained(diagram: Diagram) -> Diagram:
+    """The diagram, if its triangles' circles are empty."""
+    if diagram.constrained.any():
+        raise ValueError("the diagram has constraints, and so no Voronoi diagram; one without is wanted")
+    return diagram
 
 
 def as_tiling(points: ArrayLike | Diagram, period: ArrayLike | None) -> Diagram:

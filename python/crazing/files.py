@@ -86,18 +86,24 @@ def save_png(
     image: ArrayLike,
     *,
     text: Mapping[str, str] | None = None,
+    srgb: bool = True,
+    density: tuple[float, float] | None = None,
 ) -> None:
-    r"""Write a picture as an 8-bit PNG.
+    r"""Write a picture as a PNG of 8 or 16 bits.
 
     Parameters
     ----------
     path
         Where to; written beside it and renamed into place, see `atomic_write`. Or a file open for binary writing.
     image
-        (H, W) or (H, W, C) uint8, C = 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA; sRGB, straight alpha, row 0 on top.
-        Booleans become 0 and 255.
+        (H, W) or (H, W, C) uint8 or uint16, C = 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA; straight alpha, row 0 on
+        top. Booleans become 0 and 255.
     text
         Keywords and texts to store in the file. ``Software`` is added.
+    srgb
+        Whether the file says that its samples are sRGB colours; numbers, such as heights, are not.
+    density
+        Pixels a metre, across and up, to be rounded and stored.
 
     Raises
     ------
@@ -117,33 +123,46 @@ def save_png(
     b'\x89PNG'
     """
     pixels = _pixels(image)
-    pairs = _text(text)
+    pairs = png_text(text)
+    about = (8 * pixels.itemsize, pairs, bool(srgb), png_density(density))
     if isinstance(path, (str, os.PathLike)):
         with atomic_write(path) as file:
-            _core.encode_png(file, pixels, pairs)
+            _core.encode_png(file, sample_bytes(pixels), *about)
     elif hasattr(path, "write"):
-        _core.encode_png(path, pixels, pairs)
+        _core.encode_png(path, sample_bytes(pixels), *about)
     else:
         raise TypeError(f"path is {type(path).__name__}; a path or an open binary file is wanted")
 
 
-def _pixels(image: ArrayLike) -> NDArray[np.uint8]:
-    """`image` as a C-contiguous (H, W, C) uint8 array."""
+def _pixels(image: ArrayLike) -> NDArray[Any]:
+    """`image` as an (H, W, C) array of uint8 or uint16."""
     array = np.asarray(image)
     if array.dtype == np.bool_:
         array = array.astype(np.uint8) * np.uint8(255)
-    if array.dtype != np.uint8:
+    if array.dtype.newbyteorder("=") not in (np.uint8, np.uint16):
         raise TypeError(
-            f"image has dtype {array.dtype}; uint8 is wanted: for values from 0 to 1, "
+            f"image has dtype {array.dtype}; uint8 or uint16 is wanted: for values from 0 to 1, "
             "pass np.round(image * 255).astype(np.uint8)"
         )
     shape = array.shape if array.ndim == 3 else (*array.shape, 1)
     if len(shape) != 3 or shape[2] not in (1, 2, 3, 4) or 0 in shape:
         raise ValueError(f"image has shape {array.shape}; (H, W) or (H, W, 1 to 4), not empty, is wanted")
-    return np.ascontiguousarray(array.reshape(shape))
+    return array.reshape(shape)
 
 
-def _text(text: Mapping[str, str] | None) -> list[tuple[str, str]]:
+def sample_bytes(pixels: NDArray[Any]) -> NDArray[np.uint8]:
+    """(H, W, C) numbers as C-contiguous (H, W, C * itemsize) bytes, little-endian."""
+    return np.ascontiguousarray(pixels, dtype=pixels.dtype.newbyteorder("<")).view(np.uint8)
+
+
+def png_density(density: tuple[float, float] | None) -> tuple[int, int]:
+    """Pixels a metre as whole numbers that a PNG holds; zeros where there is none to be said."""
+    across, up = (0, 0) if density is None else (round(density[0]), round(density[1]))
+    return (across, up) if 0 < across < 2**31 and 0 < up < 2**31 else (0, 0)
+
+
+def png_text(text: Mapping[str, str] | None) -> list[tuple[str, str]]:
+    """Keywords and texts that a PNG can hold, with the one that names us."""
     pairs: dict[Any, Any] = {**(text or {}), "Software": f"crazing {_core.__version__}"}
     for keyword, words in pairs.items():
         if not (isinstance(keyword, str) and isinstance(words, str)):

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import threading
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -26,15 +27,15 @@ _KEPT = frozenset({"1", "L", "F", "I", "I;16", "I;16L", "I;16B", "I;16N"})
 _LUMINANCE = (0.2126, 0.7152, 0.0722)
 
 
-def read_image(path: str | os.PathLike[str]) -> NDArray[Any]:
+def read_image(path: str | os.PathLike[str] | BinaryIO) -> NDArray[Any]:
     """The first picture of a PNG, JPEG, TIFF, BMP, GIF or WebP file.
 
     Needs Pillow, the extra `image`. The orientation noted by a camera is applied.
 
     Parameters
     ----------
-    path : str or path-like
-        The file; its content decides the format, not its name.
+    path : str, path-like or binary file
+        The file, or one open for reading; its content decides the format, not its name.
 
     Returns
     -------
@@ -65,20 +66,21 @@ def read_image(path: str | os.PathLike[str]) -> NDArray[Any]:
            [7, 7, 7]], dtype=uint8)
     """
     library = require("PIL.Image", "image")
-    with Path(path).open("rb") as stream, _our_limit:
+    name = os.fspath(path) if isinstance(path, (str, os.PathLike)) else "the picture"
+    with _opened(path) as stream, _our_limit:
         try:
             with library.open(stream, formats=_FORMATS) as picture:
-                _check_size(picture.size, path)
+                _check_size(picture.size, name)
                 return _pixels(picture)
         except (CrazingError, MemoryError):
             raise
         except library.UnidentifiedImageError:
             wanted = "PNG, JPEG, TIFF, BMP, GIF or WebP is wanted"
-            raise CrazingError(f"{os.fspath(path)} is not a readable picture; {wanted}") from None
+            raise CrazingError(f"{name} is not a readable picture; {wanted}") from None
         except Exception as error:  # Decoders of damaged files raise whatever their parsing runs into.
             if isinstance(error, OSError) and error.errno is not None:
                 raise
-            raise CrazingError(f"{os.fspath(path)} cannot be read as a picture: {error}") from error
+            raise CrazingError(f"{name} cannot be read as a picture: {error}") from error
 
 
 class _Limit:
@@ -110,10 +112,14 @@ class _Limit:
 _our_limit = _Limit()
 
 
-def _check_size(size: tuple[int, int], path: str | os.PathLike[str]) -> None:
+def _opened(path: str | os.PathLike[str] | BinaryIO) -> contextlib.AbstractContextManager[BinaryIO]:
+    return Path(path).open("rb") if isinstance(path, (str, os.PathLike)) else contextlib.nullcontext(path)
+
+
+def _check_size(size: tuple[int, int], name: str) -> None:
     width, height = size
     if width * height > PIXEL_LIMIT:
-        raise CrazingError(f"{os.fspath(path)} has {width} x {height} pixels; at most {PIXEL_LIMIT} are read")
+        raise CrazingError(f"{name} has {width} x {height} pixels; at most {PIXEL_LIMIT} are read")
 
 
 def _pixels(picture: Any) -> NDArray[Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -12,39 +12,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core
 from crazing import rng as _rng
-from crazing.arguments import bounds_tuple, choice, count, number, period_pair
-from crazing.diagram import Arrays, Diagram, as_tiling, bounds_of, tiled
+from crazing.arguments import bounds_tuple, cell_row, choice, count, number, period_pair, points_array
+from crazing.diagram import Diagram, as_tiling, bounds_of, unconstrained
 from crazing.graph import PlanarGraph
+from crazing.maze_statistics import MazeStatistics, statistics
+from crazing.path import path
 from crazing.record import Record
 from crazing.region import Region, as_region
 from crazing.sheet import sheet
+from crazing.walls import walls
+from crazing.within import Plan, delaunay_plan, triangulated, voronoi_plan
 
 TREES = ("depth-first", "kruskal", "prim", "wilson")
-
-
-@dataclass(frozen=True)
-class MazeStatistics:
-    """Counts of a maze. Made by :attr:`crazing.Maze.statistics`.
-
-    Attributes
-    ----------
-    cells : int
-        Cells; of a maze within a shape those that have an open door.
-    dead_ends : int
-        Cells with one open door.
-    junctions : int
-        Cells with three open doors or more.
-    solution : int
-        Cells on the way between the `ends`; 0 when there is none.
-    winding : float
-        Length of that way over the straight distance between its ends.
-    """
-
-    cells: int
-    dead_ends: int
-    junctions: int
-    solution: int
-    winding: float
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -59,7 +38,8 @@ class Maze(Record):
         What a cell is: the Voronoi cell of a site, or a Delaunay triangle.
     open : (m,) bool
         Whether the door at edge `k` of the diagram is open. Dual edges without length are no doors of Voronoi cells (a
-        cell cannot be left through a point), edges of the hull no doors of triangles.
+        cell cannot be left through a point), edges of the hull no doors of triangles. Within a shape whose outline cuts
+        an edge into several doors, whether any of them is.
     passages : (cells - components, 2) int32
         The spanning tree, two cells a passage, in the order of carving: parent and child, except of Kruskal's tree,
         which has no root.
@@ -69,8 +49,8 @@ class Maze(Record):
         What the walls of Voronoi cells are clipped to; of a periodic maze, one period; within a shape, its box.
     region : Region or None
         The shape that the maze is within.
-    rim : (k,) int32
-        The cells that lie on the outline of the shape.
+    plan : Plan or None
+        Within a shape: its cells and doors, of which there may be more than sites and edges.
     """
 
     diagram: Diagram
@@ -80,7 +60,7 @@ class Maze(Record):
     start: int
     bounds: tuple[float, float, float, float]
     region: Region | None = None
-    rim: NDArray[np.int32] = field(default_factory=lambda: np.empty(0, dtype=np.int32))
+    plan: Plan | None = None
 
     @cached_property
     def walls(self) -> PlanarGraph:
@@ -90,26 +70,7 @@ class Maze(Record):
         where they leave it and going on at the opposite side: pictures of it side by side fit. Within a shape they are
         the parts inside, and its outline with gaps at the `ends`.
         """
-        d, shut = self.diagram, ~self.open
-        if self.region is not None:
-            return self._walls_within(self.region)
-        if d.period is not None and self.cells == "delaunay":
-            return tiled(d.sites, d.edges[shut], d.shifts[shut], d.period)
-        if d.period is not None:
-            return tiled(d.vertices, d.dual_edges[shut], d.dual_shifts[shut], d.period)
-        if self.cells == "delaunay":
-            return PlanarGraph(d.sites, d.edges[shut])
-        vertices, edges, _ = _core.dual_edges(d.arrays, self.bounds, shut)
-        return PlanarGraph(vertices, edges)
-
-    def _walls_within(self, region: Region) -> PlanarGraph:
-        d = self.diagram
-        inner = _core.dual_edges_within(d.arrays, self.bounds, region.coords, region.offsets, ~self.open)
-        others = [d.edges[(d.edges == end).any(axis=1)] for end in self.ends]
-        pairs = [(d.sites[end], d.sites[rows[rows != end]]) for end, rows in zip(self.ends, others, strict=True)]
-        outline = region.opened(pairs)
-        vertices = np.concatenate([inner[0], outline.vertices])
-        return PlanarGraph(vertices, np.concatenate([inner[1], outline.edges + np.int32(len(inner[0]))]))
+        return walls(self)
 
     @cached_property
     def ends(self) -> tuple[int, ...]:
@@ -117,7 +78,7 @@ class Maze(Record):
 
         None where there are no two such cells that a way joins.
         """
-        if self.region is None:
+        if self.plan is None:
             way = self.longest()
             return (int(way[0]), int(way[-1])) if len(way) > 1 else ()
         # In a tree the cell farthest from any cell is an end of the longest way between cells of the rim.
@@ -125,9 +86,15 @@ class Maze(Record):
         second = self._farthest(first)
         return (first, second) if first != second else ()
 
+    @property
+    def rim(self) -> NDArray[np.int32]:
+        """(k,) int32, the cells on the outline of the shape, holes left out."""
+        return np.unique(self.plan.rim) if self.plan is not None else np.empty(0, dtype=np.int32)
+
     def _farthest(self, source: int) -> int:
-        away = self.distances(source)[self.rim]
-        return int(self.rim[away.argmax()]) if len(away) and away.max() >= 0 else source
+        rim = self.rim
+        away = self.distances(source)[rim] if len(rim) else rim
+        return int(rim[away.argmax()]) if len(away) and away.max() >= 0 else source
 
     def solve(self, source: int, target: int) -> NDArray[np.int32]:
         """Find the shortest way through open doors, breadth-first.
@@ -207,23 +174,33 @@ class Maze(Record):
         return _core.longest(*self._doors)
 
     @property
-    def _doors(self) -> tuple[Arrays, bool, NDArray[np.bool_]]:
+    def sides(self) -> NDArray[np.int32]:
+        """(doors, 2) int32, the cells on either side of every door; -1 is none. Row `k` is edge `k` of the diagram."""
+        if self.plan is not None:
+            return self.plan.sides
+        return self.diagram.dual_edges if self.cells == "delaunay" else self.diagram.edges
+
+    @property
+    def _doors(self) -> tuple[tuple[int, NDArray[np.int32]], NDArray[np.bool_]]:
         """The arguments that every search begins with."""
-        return self.diagram.arrays, self.cells == "delaunay", self.open
+        return (self.size, self.sides), self.open if self.plan is None else self.plan.open
 
     @property
     def size(self) -> int:
         """Number of cells."""
-        return len(self.diagram.triangles if self.cells == "delaunay" else self.diagram.sites)
+        further = 0 if self.plan is None else len(self.plan.parts)
+        return len(self.diagram.triangles if self.cells == "delaunay" else self.diagram.sites) + further
 
     @property
     def centres(self) -> NDArray[np.float64]:
-        """(cells, 2) float64, a point of every cell: its site, or the centroid of its triangle.
+        """(cells, 2) float64, a point for every cell: its site, or the centroid of its triangle.
 
-        Of triangles of a periodic maze, which may lie across a seam, the Voronoi vertex.
+        Of triangles of a periodic maze, which may lie across a seam, the Voronoi vertex. Within a shape, the parts of
+        a cell have its one site, which may lie outside.
         """
         if self.cells == "voronoi":
-            return self.diagram.sites
+            further = [] if self.plan is None else [self.diagram.sites[self.plan.parts]]
+            return np.concatenate([self.diagram.sites, *further])
         if self.diagram.period is not None:  # Where corners lie on either side of a seam there is no mean of them.
             return self.diagram.vertices
         return np.asarray(self.diagram.sites[self.diagram.triangles].mean(axis=1))
@@ -239,7 +216,8 @@ class Maze(Record):
         Returns
         -------
         PlanarGraph
-            Of a periodic maze, cut at the sides of the period and going straight from cell to cell.
+            It meets no wall. Within a shape, a way between the `ends` begins and ends in the gaps of the outline. Of
+            a periodic maze it is cut at the sides of the period.
 
         Raises
         ------
@@ -253,40 +231,7 @@ class Maze(Record):
         >>> m.path([0, 1, 2]).length
         2.0
         """
-        cells = np.asarray(way, dtype=np.int32)
-        sides = self.diagram.dual_edges if self.cells == "delaunay" else self.diagram.edges
-        rows = np.flatnonzero(self.open)
-        door = {frozenset(pair): int(row) for row, pair in zip(rows, sides[rows].tolist(), strict=True)}
-        steps = list(zip(cells[:-1].tolist(), cells[1:].tolist(), strict=True))
-        for a, b in steps:
-            if frozenset((a, b)) not in door:
-                raise ValueError(f"way goes from cell {a} to {b}; no open door joins them")
-        passed = np.array([door[frozenset(step)] for step in steps], dtype=np.intp)
-        if self.diagram.period is not None:
-            shifts = self.diagram.dual_shifts if self.cells == "delaunay" else self.diagram.shifts
-            return tiled(self.centres, sides[passed], shifts[passed], self.diagram.period)
-        points = np.empty((2 * len(passed) + 1, 2))
-        points[::2] = self.centres[cells]
-        points[1::2] = self._door_middles(passed)
-        line = np.arange(len(points), dtype=np.int32)
-        return PlanarGraph(points, np.column_stack([line[:-1], line[1:]]))
-
-    def _door_middles(self, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """The middle of each door, of its longest part in the bounds; of a door beyond them its nearest end."""
-        d = self.diagram
-        if self.cells == "delaunay":
-            return np.asarray(d.sites[d.edges[rows]].mean(axis=1))
-        wanted = np.zeros(len(d.edges), dtype=bool)
-        wanted[rows] = True
-        if self.region is None:
-            vertices, edges, parts = _core.dual_edges(d.arrays, self.bounds, wanted)
-        else:
-            rings = self.region.coords, self.region.offsets
-            vertices, edges, parts, _ = _core.dual_edges_within(d.arrays, self.bounds, *rings, wanted)
-        order = np.argsort(PlanarGraph(vertices, edges).lengths, kind="stable")
-        middles = _nearest_ends(d)
-        middles[parts[order]] = vertices[edges[order]].mean(axis=1)
-        return np.asarray(middles[rows])
+        return path(self, cell_row(way, "way", self.size))
 
     def _way(self, solution: bool | ArrayLike) -> NDArray[np.int32] | None:
         """The way between the `ends` for True, none for False, else the cells given."""
@@ -308,15 +253,7 @@ class Maze(Record):
         >>> cz.maze([(float(i), 0.0) for i in range(4)], rng=0).statistics
         MazeStatistics(cells=4, dead_ends=2, junctions=0, solution=4, winding=1.0)
         """
-        sides = self.diagram.dual_edges if self.cells == "delaunay" else self.diagram.edges
-        doors = np.bincount(sides[self.open].ravel(), minlength=self.size)
-        reached = self.size if self.region is None else int((doors > 0).sum())
-        way = self._way(True)
-        counts = reached, int((doors == 1).sum()), int((doors > 2).sum())
-        if way is None:
-            return MazeStatistics(*counts, 0, 1.0)
-        straight = float(np.linalg.norm(self.centres[way[-1]] - self.centres[way[0]]))
-        return MazeStatistics(*counts, len(way), self.path(way).length / straight if straight else 1.0)
+        return statistics(self)
 
     def plot(
         self,
@@ -458,8 +395,10 @@ def maze(
     within : optional
         Carve in a shape: its ring as a (k, 2) array, a list of rings (a point in an odd number of them is inside, so
         that a ring in a ring is a hole), a polygon of shapely or another object with `__geo_interface__`, GeoJSON, or
-        a picture (a mask of bools, or an image whose border is outside; in pixels, y up). Walls are clipped to it, and
-        only those that have a length inside are doors. A cell that the outline cuts into parts is still one cell.
+        a picture (a mask of bools, or an image whose border is outside; in pixels, y up). Voronoi walls are clipped to
+        it, and what has a length inside is a door; each part of a cell that the outline cuts is a cell of its own.
+        Triangles are those of the points and the corners of the shape, its sides being constraints (cut into pieces
+        about as long as the edges inside, by sites that come after the points). Sides may touch, not cross or overlap.
     rng : int, numpy.random.Generator or None, optional
         Seed. The same seed gives the same maze on every platform.
 
@@ -471,7 +410,7 @@ def maze(
     Raises
     ------
     CrazingError
-        If a coordinate is NaN or infinite, or `start` is no cell.
+        If a coordinate is NaN or infinite, `start` is no cell, or sides of `within` cross or overlap.
     TypeError, ValueError
         If an argument is of the wrong type or out of range.
 
@@ -490,49 +429,50 @@ def maze(
     if start is not None:
         start = count(start, "start")
     opening = number(opening, "opening", low=0, high=1)
-    delaunay = choice(cells, "cells", ("voronoi", "delaunay")) == "delaunay"
+    choice(cells, "cells", ("voronoi", "delaunay"))
     choice(tree, "tree", TREES)
-    diagram = as_tiling(points, period)
     if within is not None:
-        if delaunay or bounds is not None or diagram.period is not None:
-            raise ValueError("within is for Voronoi cells without bounds and period")
-        return _within(diagram, as_region(within), tree, start, opening, _rng.key(rng))
+        if bounds is not None or period is not None:
+            raise ValueError("within goes without bounds and period")
+        return _within(points, as_region(within), cells, tree, start, opening, _rng.key(rng))
+    diagram = as_tiling(points, period)
     box = bounds_of(diagram, bounds)
-    doors = None if diagram.period is None or delaunay else _torus_doors(diagram)
-    carved = _core.carve(diagram.arrays, delaunay, doors, tree, start, opening, _rng.key(rng))
+    if cells == "delaunay":
+        sides, doors = (len(diagram.triangles), diagram.dual_edges), np.ones(len(diagram.edges), dtype=bool)
+    else:
+        unconstrained(diagram)
+        sides = len(diagram.sites), diagram.edges
+        doors = _core.voronoi_doors(diagram.arrays) if diagram.period is None else _torus_doors(diagram)
+    carved = _core.carve(sides, doors, tree, start, False, opening, _rng.key(rng))
     return Maze(diagram, cells, *carved, box)
 
 
 def _within(
-    diagram: Diagram, region: Region, tree: str, start: int | None, opening: float, key: tuple[int, int]
+    points: ArrayLike | Diagram,
+    region: Region,
+    cells: str,
+    tree: str,
+    start: int | None,
+    opening: float,
+    key: tuple[int, int],
 ) -> Maze:
     box = bounds_tuple(region.bounds, "the extent of within")
-    everything = np.ones(len(diagram.edges), dtype=bool)
-    found = _core.dual_edges_within(diagram.arrays, box, region.coords, region.offsets, everything)
-    rows, cut = found[2], found[3]
-    doors = np.zeros(len(diagram.edges), dtype=bool)
-    doors[rows] = True
-    inside = np.unique(diagram.edges[rows])
-    if start is None and len(inside):
-        start = int(inside[key[0] * len(inside) >> 64])
-    carved = _core.carve(diagram.arrays, False, doors, tree, start, opening, key)
-    rim = np.unique(diagram.edges[cut[doors[cut]]]).astype(np.int32)
-    return Maze(diagram, "voronoi", *carved, box, region, rim)
+    if isinstance(points, Diagram) and points.period is not None:
+        raise ValueError("within goes without bounds and period")
+    if cells == "delaunay":
+        diagram = triangulated(points.sites if isinstance(points, Diagram) else points_array(points), region)
+        plan = delaunay_plan(diagram)
+    else:
+        diagram = as_tiling(points, None)
+        plan = voronoi_plan(diagram, region)
+    count = len(diagram.triangles) if cells == "delaunay" else len(diagram.sites) + len(plan.parts)
+    doors = np.ones(len(plan.sides), dtype=bool)
+    open_doors, passages, first = _core.carve((count, plan.sides), doors, tree, start, True, opening, key)
+    plan = plan.carved(open_doors)
+    return Maze(diagram, cells, plan.edges_open(len(diagram.edges)), passages, first, box, region, plan)
 
 
 def _torus_doors(diagram: Diagram) -> NDArray[np.bool_]:
     """Whether each dual edge has a length: it may join a vertex to a copy of itself, which is no point."""
     right, left = diagram.vertices[diagram.dual_edges[:, 0]], diagram.vertices[diagram.dual_edges[:, 1]]
     return np.asarray((right != left).any(axis=1) | diagram.dual_shifts.any(axis=1))
-
-
-def _nearest_ends(diagram: Diagram) -> NDArray[np.float64]:
-    """For each dual edge the end nearer to the two sites; their middle where both ends are at infinity."""
-    middles = diagram.sites[diagram.edges].mean(axis=1)
-    if not len(diagram.vertices):
-        return np.asarray(middles)
-    ends = diagram.vertices[diagram.dual_edges]
-    away = np.hypot(*np.moveaxis(ends - middles[:, None], 2, 0))
-    away[diagram.dual_edges < 0] = np.inf
-    nearest = ends[np.arange(len(ends)), away.argmin(axis=1)]
-    return np.asarray(np.where(np.isfinite(away.min(axis=1))[:, None], nearest, middles))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -12,9 +13,13 @@ from numpy.typing import NDArray
 from crazing import _core
 from crazing.arguments import points_array
 from crazing.contour import contours
+from crazing.errors import CrazingError
 from crazing.graph import PlanarGraph
 from crazing.images import brightness
 from crazing.record import Record
+
+#: Pixels: how far the outline of a picture may be moved to smooth the steps of its contour.
+_STEPS = 0.5
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -24,7 +29,7 @@ class Region(Record):
     Attributes
     ----------
     coords : (k, 2) float64
-        Corners, ring after ring, the first not repeated.
+        Corners, ring after ring, the first not repeated; the inside is on the left of every side.
     offsets : (rings + 1,) int64
         Ring `i` is ``coords[offsets[i]:offsets[i + 1]]``.
     """
@@ -48,29 +53,90 @@ class Region(Record):
 
     def contains(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Whether each point is inside; of points on the outline, either may be said."""
-        return _core.region_contains(self.coords, self.offsets, points)
+        return _core.region_contains(self.rings, points)
 
-    def opened(self, cells: list[tuple[NDArray[np.float64], NDArray[np.float64]]]) -> PlanarGraph:
-        """The outline with a gap at each Voronoi cell, given as its site and those of its neighbours.
+    @property
+    def rings(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+        """Coordinates and offsets, as the core takes them."""
+        return self.coords, self.offsets
 
-        Where a cell meets the outline more than once, the gap is at its longest stretch.
-        """
+    @cached_property
+    def _along(self) -> NDArray[np.float64]:
+        """How far along the outline each side starts, all rings one after the other, and their whole length."""
+        return np.concatenate([[0.0], np.cumsum(self.outline.lengths)])
+
+    def _ring(self, place: float) -> tuple[int, int]:
+        """The first side of the ring that a place is on, and the first of the next."""
+        ring = int(np.searchsorted(self.offsets, int(place), side="right")) - 1
+        return int(self.offsets[ring]), int(self.offsets[ring + 1])
+
+    def _travelled(self, place: float) -> float:
+        side = int(place)
+        return float(self._along[side] + (place - side) * (self._along[side + 1] - self._along[side]))
+
+    def span(self, arc: NDArray[np.float64]) -> float:
+        """Length of the outline from one place to another: places are the number of a side and a part of it."""
+        first, end = self._ring(arc[0])
+        around = float(self._along[end] - self._along[first])
+        return (self._travelled(arc[1]) - self._travelled(arc[0])) % around or around
+
+    def middle(self, arc: NDArray[np.float64], width: float) -> tuple[float, float, float]:
+        """The middle of an arc, `width` long at most: where it begins, has its own middle, and ends."""
+        first, end = self._ring(arc[0])
+        start, around = self._along[first], self._along[end] - self._along[first]
+        span = self.span(arc)
+        half = min(span, width) / 2
+        middle = self._travelled(arc[0]) - start + span / 2
+
+        def place(length: float) -> float:
+            at = start + length % around
+            side = min(max(int(np.searchsorted(self._along, at, side="right")) - 1, first), end - 1)
+            part = (at - self._along[side]) / (self._along[side + 1] - self._along[side])
+            return float(side + min(max(part, 0.0), 1 - 2.0**-40))
+
+        return place(middle - half), place(middle), place(middle + half)
+
+    def at(self, place: float) -> NDArray[np.float64]:
+        """The point at a place of the outline."""
+        first, end = self._ring(place)
+        side = int(place)
+        a, b = self.coords[side], self.coords[side + 1 if side + 1 < end else first]
+        return np.asarray(a + (place - side) * (b - a))
+
+    def opened(self, gaps: list[tuple[float, float]]) -> PlanarGraph:
+        """The outline with gaps, each from one place to another."""
+        left: dict[int, list[tuple[float, float]]] = {}
+        for start, end in gaps:
+            for side, low, high in self._sides(start, end):
+                parts = (
+                    (a, b) for p, q in left.get(side, [(0.0, 1.0)]) for a, b in ((p, min(q, low)), (max(p, high), q))
+                )
+                left[side] = [(a, b) for a, b in parts if a < b]
         outline = self.outline
-        gaps = [_stretch(outline, site, others) for site, others in cells]
-        vertices, edges = [outline.vertices], [outline.edges]
-        start = len(outline.vertices)
         shut = np.ones(len(outline.edges), dtype=bool)
-        for rows, low, high in gaps:
-            rows, low, high = rows[shut[rows]], low[shut[rows]], high[shut[rows]]
-            shut[rows] = False
-            a, b = np.moveaxis(outline.segments[rows], 1, 0)
-            for ends, at, kept in ((outline.edges[rows, 0], low, low > 0), (outline.edges[rows, 1], high, high < 1)):
-                cut = (a + at[:, None] * (b - a))[kept]
-                vertices.append(cut)
-                edges.append(np.column_stack([ends[kept], start + np.arange(len(cut))]).astype(np.int32))
-                start += len(cut)
-        edges[0] = edges[0][shut]
-        return PlanarGraph(np.concatenate(vertices), np.concatenate(edges))
+        shut[list(left)] = False
+        vertices: list[NDArray[np.float64]] = []
+        edges: list[list[int]] = []
+        for side, part in ((side, part) for side, kept in left.items() for part in kept):
+            ends = outline.edges[side].tolist()
+            for i, at in enumerate(part):
+                if 0.0 < at < 1.0:
+                    ends[i] = len(outline.vertices) + len(vertices)
+                    vertices.append(self.at(side + at))
+            edges.append(ends)
+        added = np.array(edges, dtype=np.int32).reshape(-1, 2)
+        return PlanarGraph(np.vstack([outline.vertices, *vertices]), np.concatenate([outline.edges[shut], added]))
+
+    def _sides(self, start: float, end: float) -> Iterator[tuple[int, float, float]]:
+        """The sides from one place to another, each with its part between them."""
+        first, last = self._ring(start)
+        side, low = int(start), start - int(start)
+        for _ in range(first, last + 1):
+            if side == int(end) and low <= end - side:
+                yield side, low, end - side
+                return
+            yield side, low, 1.0
+            side, low = side + 1 if side + 1 < last else first, 0.0
 
     def __repr__(self) -> str:
         return f"Region({len(self.offsets) - 1} rings, {len(self.coords)} corners)"
@@ -122,7 +188,7 @@ def _joined(rings: list[Any], name: str) -> Region:
         kept.append(points)
     if not kept:
         raise ValueError(f"{name} has no ring; one or more are wanted")
-    return Region(np.concatenate(kept), np.cumsum([0, *map(len, kept)]))
+    return Region(*_core.region_rings((np.concatenate(kept), np.cumsum([0, *map(len, kept)]))))
 
 
 def _traced(picture: NDArray[Any], name: str) -> Region:
@@ -133,25 +199,30 @@ def _traced(picture: NDArray[Any], name: str) -> Region:
         grey = 1.0 - grey if np.median(rim) > 0.5 else grey
     found = contours(np.pad(grey, 1))
     rings = [line - 1.0 for line in found.lines if len(line) > 2]
-    return _joined(rings, name)
+    plain = [_plain(line, _STEPS) for line in rings]
+    try:
+        return _joined([line for line in plain if len(line) > 2], name)
+    except CrazingError:
+        # Where the shape is as thin as the steps, leaving corners out may make its sides cross.
+        return _joined(rings, name)
 
 
-def _stretch(
-    outline: PlanarGraph, site: NDArray[np.float64], others: NDArray[np.float64]
-) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64]]:
-    """The longest run of sides in a cell: their rows, and from which part to which part they are in it."""
-    a, b = np.moveaxis(outline.segments, 1, 0)
-    low, high = np.zeros(len(a)), np.ones(len(a))
-    for other in others:
-        # Points nearer to the site: those with a positive product. Along a side it is linear.
-        normal, middle = site - other, (site + other) / 2
-        at_a, at_b = (a - middle) @ normal, (b - middle) @ normal
-        with np.errstate(divide="ignore", invalid="ignore"):
-            zero = at_a / (at_a - at_b)
-        low = np.where(at_a >= 0, low, np.where(at_b > 0, np.fmax(low, zero), 2.0))
-        high = np.where(at_b >= 0, high, np.where(at_a > 0, np.fmin(high, zero), -1.0))
-    rows = np.flatnonzero(low < high)
-    runs = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)
-    lengths = (high - low) * outline.lengths
-    rows = max(runs, key=lambda run: float(lengths[run].sum()))
-    return rows, low[rows], high[rows]
+def _plain(line: NDArray[np.float64], most: float) -> NDArray[np.float64]:
+    """A ring with fewer corners, none of those left out farther than `most` from it (Douglas, Peucker 1973)."""
+    far = int(np.linalg.norm(line - line[0], axis=1).argmax())
+    closed = np.vstack([line, line[:1]])
+    kept = np.zeros(len(closed), dtype=bool)
+    kept[[0, far, -1]] = True
+    runs = [(0, far), (far, len(line))]
+    while runs:
+        start, end = runs.pop()
+        if end - start < 2:
+            continue
+        along = closed[end] - closed[start]
+        away = closed[start + 1 : end] - closed[start]
+        off = np.abs(away[:, 0] * along[1] - away[:, 1] * along[0]) / max(float(np.hypot(*along)), 1e-300)
+        worst = int(off.argmax())
+        if off[worst] > most:
+            kept[start + 1 + worst] = True
+            runs += [(start, start + 1 + worst), (start + 1 + worst, end)]
+    return np.asarray(closed[kept][:-1])

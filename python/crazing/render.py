@@ -80,8 +80,8 @@ class Style:
     min_width: float = 0.0
 
     def __post_init__(self) -> None:
-        _rgba(self.ink, "ink")
-        _rgba(self.ground, "ground")
+        rgba(self.ink, "ink")
+        rgba(self.ground, "ground")
         if self.width is not None:
             arguments.number(self.width, "width", low=0.0)
         arguments.number(self.min_width, "min_width", low=0.0)
@@ -151,7 +151,7 @@ def render(
     box = _bounds(crack_or_graph, vertices, edges, bounds)
     widths = _widths(crack_or_graph, len(edges), style, min(width / (box[2] - box[0]), height / (box[3] - box[1])))
     picture = np.empty((height, width, 4), dtype=np.uint8)
-    colors = _rgba(style.ink, "ink"), _rgba(style.ground, "ground")
+    colors = rgba(style.ink, "ink"), rgba(style.ground, "ground")
     _core.render(vertices, edges, widths, box, *colors, float(style.min_width), workers, picture)
     return picture
 
@@ -207,7 +207,7 @@ def _box(vertices: NDArray[np.float64], edges: NDArray[np.int32]) -> tuple[float
     return arguments.bounds_tuple(tuple(map(float, box)), "the box around the edges")
 
 
-def _rgba(color: Any, name: str) -> tuple[int, int, int, int]:
+def rgba(color: Any, name: str) -> tuple[int, int, int, int]:
     """Straight RGBA of a colour of a style; None is clear."""
     if color is None and name == "ground":
         return 0, 0, 0, 0

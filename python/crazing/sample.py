@@ -11,10 +11,21 @@ from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core, arguments, outline
 from crazing.contour import contours
+from crazing.images import brightness
 from crazing.region import as_region
 from crazing.rng import RNG, key
 
-__all__ = ["from_image", "from_polygon", "from_svg", "laplace", "normal", "uniform"]
+__all__ = [
+    "from_density",
+    "from_image",
+    "from_polygon",
+    "from_svg",
+    "laplace",
+    "normal",
+    "poisson_disk",
+    "relax",
+    "uniform",
+]
 
 Points: TypeAlias = NDArray[np.float64]
 
@@ -148,6 +159,150 @@ def laplace(n: int, *, loc: ArrayLike = 0.0, scale: ArrayLike = 1.0, rng: RNG = 
     """
     number, middle, spread = arguments.count(n, "n"), _pair(loc, "loc"), _scale(scale)
     return _core.sample_laplace(number, middle, spread, key(rng))
+
+
+def poisson_disk(
+    radius: float,
+    *,
+    bounds: Sequence[float] = (0, 0, 1, 1),
+    period: Sequence[float] | None = None,
+    rng: RNG = None,
+) -> Points:
+    """Points no nearer to each other than a radius, as many as fit: evenly spread, and yet in no order.
+
+    Parameters
+    ----------
+    radius : float
+        The least distance, data units. About 0.7 area / radius**2 points have room.
+    bounds : (xmin, ymin, xmax, ymax)
+        Where, in data units.
+    period : (width, height), optional
+        Repeat the points with this period, instead of `bounds`: distances are taken to copies too.
+    rng : int, numpy.random.Generator or None
+        The seed; the same on every platform and with any number of threads.
+
+    Returns
+    -------
+    (n, 2) float64
+        x and y, in data units.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not what is listed above, or the radius is too small for the bounds.
+
+    Notes
+    -----
+    Source: Bridson: Fast Poisson Disk Sampling in Arbitrary Dimensions (SIGGRAPH sketches 2007).
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> points = cz.sample.poisson_disk(0.1, rng=1)
+    >>> 55 < len(points) < 85
+    True
+    """
+    box = arguments.bounds_tuple(bounds) if period is None else (0.0, 0.0, *arguments.period_pair(period))
+    radius = arguments.number(radius, "radius", low=0.0)
+    return _core.sample_poisson_disk(radius, box, period is not None, key(rng))
+
+
+def from_density(
+    image: ArrayLike,
+    n: int,
+    *,
+    bounds: Sequence[float] | None = None,
+    rng: RNG = None,
+) -> Points:
+    """Points denser where an image is brighter.
+
+    Point i depends on `rng`, the image and i alone: fewer points from the same seed are the first of the more.
+
+    Parameters
+    ----------
+    image : array_like
+        (H, W) grey or (H, W, 3 or 4) colour as for :func:`from_image`; row 0 at the top. No pixel may be negative; a
+        pixel of 0 gets no point.
+    n : int
+        Number of points, 0 or more.
+    bounds : (xmin, ymin, xmax, ymax), optional
+        Where the picture lies, data units; by default (0, 0, W, H), pixels.
+    rng : int, numpy.random.Generator or None
+        The seed; the same on every platform and with any number of threads.
+
+    Returns
+    -------
+    (n, 2) float64
+        x and y, in data units, y up. Each pixel as likely as it is bright, evenly within a pixel.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not what is listed above.
+    CrazingError
+        If a pixel is negative, NaN or infinite, or all are 0.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import crazing as cz
+    >>> points = cz.sample.from_density(np.array([[0.0, 1.0]]), 100, rng=1)
+    >>> bool((points[:, 0] > 1).all())
+    True
+    """
+    pixels = np.ascontiguousarray(brightness(image))
+    if pixels.size == 0:
+        raise ValueError(f"image has shape {pixels.shape}; at least one pixel is wanted")
+    box = (0.0, 0.0, float(pixels.shape[1]), float(pixels.shape[0]))
+    box = box if bounds is None else arguments.bounds_tuple(bounds)
+    return _core.sample_from_density((pixels, box), arguments.count(n, "n"), key(rng))
+
+
+def relax(
+    points: ArrayLike, *, iterations: int, bounds: Sequence[float], period: Sequence[float] | None = None
+) -> Points:
+    """Even points out by Lloyd's relaxation: each goes to the centroid of its Voronoi cell, again and again.
+
+    Parameters
+    ----------
+    points : (n, 2) array_like
+        Finite coordinates.
+    iterations : int
+        Rounds; one or two take clumps away, many make a honeycomb.
+    bounds : (xmin, ymin, xmax, ymax)
+        What cells are clipped to, data units. On a torus its corner is where the period begins.
+    period : (width, height), optional
+        Relax on a torus; `bounds` must be as wide and as high.
+
+    Returns
+    -------
+    (n, 2) float64
+        One row for each row of `points`; equal rows stay equal. All lie in the bounds.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not what is listed above.
+    CrazingError
+        If a coordinate is NaN or infinite.
+
+    Notes
+    -----
+    Source: Lloyd: Least Squares Quantization in PCM (1982).
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> points = cz.sample.uniform(4, rng=1)
+    >>> cz.sample.relax(points, iterations=100, bounds=(0, 0, 1, 1)).round(2).sum().item()
+    4.0
+    """
+    box = arguments.bounds_tuple(bounds)
+    sides = None if period is None else arguments.period_pair(period)
+    if sides is not None and not np.allclose(sides, (box[2] - box[0], box[3] - box[1]), rtol=1e-12, atol=0):
+        raise ValueError(f"period is {sides}, bounds is {box}; bounds as wide and high as the period are wanted")
+    rounds = arguments.count(iterations, "iterations", high=1_000_000)
+    return _core.sample_relax(arguments.points_array(points), rounds, box, sides)
 
 
 def from_image(

@@ -19,10 +19,13 @@ _OPTIONAL = (
     "ezdxf",
     "matplotlib",
     "networkx",
+    "openexr",
     "pillow",
     "rich",
     "scipy",
     "shapely",
+    "tifffile",
+    "zarr",
 )
 
 

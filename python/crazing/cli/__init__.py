@@ -13,7 +13,12 @@ from crazing.cli.failures import Program
 #: A command `name` is `crazing.cli.name.command`.
 COMMANDS = (
     "compare",
+    "edit",
+    "fit",
     "maze",
+    "measure",
+    "presets",
+    "rerun",
     "texture",
 )
 

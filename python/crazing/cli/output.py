@@ -17,7 +17,7 @@ from crazing.files import atomic_write
 STANDARD = "-"
 
 
-def _checked(ctx: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
+def checked(ctx: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
     """Refuses, before any work is done, a place that could not take the picture."""
     if value is None:
         return None
@@ -38,7 +38,7 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str | None) 
 def output_option(function: Callable[..., Any], *, required: bool = True) -> Callable[..., Any]:
     """Adds `-o` to a command that makes a PNG."""
     words = "Where to write the picture, a PNG; - is standard output."
-    return click.option("-o", "--output", required=required, metavar="FILE", callback=_checked, help=words)(function)
+    return click.option("-o", "--output", required=required, metavar="FILE", callback=checked, help=words)(function)
 
 
 @contextlib.contextmanager

@@ -8,6 +8,26 @@ from collections.abc import Callable, Iterator
 
 
 @contextlib.contextmanager
+def rows() -> Iterator[Callable[[int, int], None]]:
+    """Gives a function that takes the rows that are done and all rows; silent unless standard error is a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda done, total: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+
+    columns = (
+        TextColumn("{task.completed} of {task.total} rows"),
+        BarColumn(),
+        TimeElapsedColumn(),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task("")
+        yield lambda done, total: progress.update(task, completed=done, total=total)
+
+
+@contextlib.contextmanager
 def steps(total: int) -> Iterator[Callable[[str], None]]:
     """Gives a function that names the next of `total` steps; silent unless standard error is a terminal."""
     if not sys.stderr.isatty():

@@ -13,11 +13,17 @@ from numpy.typing import NDArray
 
 import crazing
 from crazing import _core, arguments
-from crazing.cli.output import opened, output_option, say
+from crazing.cli.maps import Order
+from crazing.cli.output import STANDARD, checked, opened, say
 from crazing.cli.progress import steps
+from crazing.texture import MAX_SIDE
 
 #: Part of scattered points that the picture shows; by eye, at 100 to 3000 points of either distribution.
 FRAMED = 0.9
+
+
+#: Options that ask for maps instead of the plain picture.
+MAPPED = ("preset", "recipe", "seamless", "maps", "format", "layout", "name", "metres", "frames")
 
 
 def _size(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[int, int]:
@@ -25,7 +31,7 @@ def _size(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[i
     match = re.fullmatch(r"([1-9][0-9]{0,8})(?:x([1-9][0-9]{0,8}))?", value)
     if match is None:
         raise click.BadParameter(f"{value!r} is no size; 4096 or 4096x2048 (width x height) is wanted.")
-    height, width = arguments.size_pair((int(match[2] or match[1]), int(match[1])))
+    height, width = arguments.size_pair((int(match[2] or match[1]), int(match[1])), limit=MAX_SIDE)
     return width, height
 
 
@@ -68,19 +74,82 @@ def _size(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[i
     metavar="X",
     help="1, the default, closes no plate by cracks all round, 0 every plate.",
 )
+@click.option("--preset", metavar="NAME", help="Kind of crack, with its material; crazing presets lists them.")
+@click.option("--recipe", type=click.Path(exists=True, dir_okay=False), metavar="TOML", help="The same from a file.")
+@click.option("--seamless", is_flag=True, help="Opposite sides fit together.")
+@click.option(
+    "--maps",
+    metavar="A,B",
+    help="Maps to make: color, normal (or normal_gl, normal_dx), height, ao, roughness, orm, mask, wear, distance, "
+    "direction, cell, strand, generation; or all.",
+)
+@click.option("--format", metavar="NAME", help="png, png8, png16, tiff16, tiff32, exr16, exr32 or zarr.")
+@click.option("--layout", metavar="NAME", help="Names of files in a folder: plain, ambientcg, polyhaven or unreal.")
+@click.option("--name", metavar="NAME", help="Name of the material; by default that of the preset or recipe.")
+@click.option("--metres", type=float, metavar="M", help="True height of the picture; by default 1.")
+@click.option("--frames", type=click.IntRange(1, 100_000), metavar="N", help="The cracks as they grow, in N pictures.")
 @click.option("--threads", type=click.IntRange(1, 1024), metavar="N", help="Threads that draw; all cores by default.")
 @click.option("--json", "as_json", is_flag=True, help="Print the result as one line of JSON.")
-@output_option
-def command(*, threads: int | None, as_json: bool, output: str, **parameters: Any) -> None:
-    """Draws a crack texture.
+@click.option(
+    "-o", "--output", required=True, metavar="PATH", help="A PNG, or a file or folder for maps; - is standard output."
+)
+@click.pass_context
+def command(ctx: click.Context, /, *, as_json: bool, output: str, **given: Any) -> None:
+    """Draws a crack texture: a plain picture, or the maps of a material.
 
     Example: crazing texture --seed 7 --size 4096 -o crack.png
 
-    The same seed and options give the same picture, on every machine and with any number of threads. They are
-    kept in the file, in a text chunk named "crazing".
+    Example: crazing texture --preset glaze --size 8192 --seamless --maps all -o glaze/
+
+    The first draws ink on paper. Any of --preset, --recipe, --seamless, --maps, --format, --layout, --name, --metres
+    and --frames makes maps: one, by default the colour, where PATH ends in .png, .tif, .exr or .zarr, else several in
+    a folder. Maps may have any size; when a run is stopped, the same command goes on with it.
+
+    The same seed and options give the same pixels, on every machine and with any number of threads. They are kept in
+    every file, and crazing rerun makes it again.
     """
-    if parameters["seed"] is None:
-        parameters["seed"] = secrets.randbits(32)
+    if given["seed"] is None:
+        given["seed"] = secrets.randbits(32)
+    if any(given[name] not in (None, False) for name in MAPPED):
+        report = _order(ctx, output, given).make()
+        files = report["files"]
+        words = f"{files[0]}{f' and {len(files) - 1} more' if len(files) > 1 else ''}: {_sizes(report)}"
+    else:
+        checked(ctx, ctx.command.params[-1], output)
+        report = _picture(output, given)
+        words = f"{output}: {_sizes(report)}"
+    say(json.dumps(report) if as_json else words, output)
+
+
+def _sizes(report: dict[str, Any]) -> str:
+    (width, height), edges = report["parameters"]["size"], report["edges"]
+    seed = report["parameters"]["seed"]
+    return f"{width} x {height} pixels, {edges} crack edge{'s' * (edges != 1)}, seed {seed}"
+
+
+def _order(ctx: click.Context, output: str, given: dict[str, Any]) -> Order:
+    """The order for maps; what the plain picture has defaults for counts only where it was given."""
+    if given["preset"] is not None and given["recipe"] is not None:
+        raise click.UsageError("--preset and --recipe are both given; one of them is wanted.", ctx)
+    if output == STANDARD:
+        raise click.UsageError("maps go to a file or folder, not to standard output.", ctx)
+    fields = {"sites": "n", "distribution": "sampler", "opening": "opening"}
+    set_by = click.core.ParameterSource.DEFAULT
+    changes = {
+        field: given[option]
+        for option, field in fields.items()
+        if ctx.get_parameter_source(option) is not set_by and given[option] is not None
+    }
+    kept = {name: value for name, value in given.items() if name not in fields}
+    kept["layout"] = "plain" if kept["layout"] is None else kept["layout"]
+    kept["metres"] = 1.0 if kept["metres"] is None else kept["metres"]
+    return Order(output=output, changes=changes, **kept)
+
+
+def _picture(output: str, given: dict[str, Any]) -> dict[str, Any]:
+    """The plain picture; a report of it."""
+    threads = given["threads"]
+    parameters = {name: value for name, value in given.items() if name not in (*MAPPED, "threads")}
     record = {
         "algorithm_version": crazing.algorithm_version,
         "version": _core.__version__,
@@ -96,14 +165,13 @@ def command(*, threads: int | None, as_json: bool, output: str, **parameters: An
         begin("writing")
         with opened(output) as file:
             crazing.save_png(file, picture, text={"crazing": json.dumps(record)})
-    edges = len(crack.graph.edges)
-    if as_json:
-        say(json.dumps({**record, "output": output, "edges": edges}), output)
-    else:
-        say(
-            f"{output}: {width} x {height} pixels, {edges} crack edge{'s' * (edges != 1)}, seed {parameters['seed']}",
-            output,
-        )
+    return {**record, "output": output, "edges": len(crack.graph.edges)}
+
+
+def draw(*, threads: int | None, **parameters: Any) -> NDArray[np.uint8]:
+    """The pixels of the plain picture of these parameters."""
+    width, height = parameters["size"]
+    return crazing.render(_crack(**parameters), (height, width), threads=threads)
 
 
 def _crack(*, seed: int, size: tuple[int, int], sites: int, distribution: str, **steps_of_crack: Any) -> crazing.Crack:

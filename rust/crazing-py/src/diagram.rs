@@ -45,7 +45,22 @@ type DiagramArrays<'py> = (
 #[pyfunction]
 pub(crate) fn diagram<'py>(py: Python<'py>, points: PyReadonlyArray2<'py, f64>) -> PyResult<DiagramArrays<'py>> {
     let points = rows(&points)?;
-    let found = detached(py, |watch| crazing::diagram::diagram(points, watch))?;
+    handed(py, detached(py, |watch| crazing::diagram::diagram(points, watch))?)
+}
+
+/// The same with edges along constraints, and which these are.
+#[pyfunction]
+pub(crate) fn constrained_diagram<'py>(
+    py: Python<'py>,
+    points: PyReadonlyArray2<'py, f64>,
+    constraints: PyReadonlyArray2<'py, i32>,
+) -> PyResult<(DiagramArrays<'py>, Row<'py, bool>)> {
+    let (points, constraints) = (rows(&points)?, rows(&constraints)?);
+    let found = detached(py, |watch| crazing::diagram::constrained(points, constraints, watch))?;
+    Ok((handed(py, found.diagram)?, PyArray1::from_vec(py, found.constrained)))
+}
+
+fn handed(py: Python<'_>, found: crazing::Diagram) -> PyResult<DiagramArrays<'_>> {
     Ok((
         table(py, found.sites)?,
         PyArray1::from_vec(py, found.site_of),
@@ -100,11 +115,27 @@ pub(crate) fn tile<'py>(
     Ok((table(py, graph.vertices)?, table(py, graph.edges)?))
 }
 
-/// The next quarter-edge about the same origin, for every quarter-edge.
+/// The next quarter-edge about the same origin, for every quarter-edge; with the shifts of a torus.
 #[pyfunction]
-pub(crate) fn onext<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+pub(crate) fn onext<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    shifts: Option<PyReadonlyArray2<'py, i8>>,
+) -> PyResult<Row<'py, i32>> {
     let view = arrays.view()?;
-    Ok(PyArray1::from_vec(py, detached(py, |_| quad_edge::onext(view))?))
+    let shifts = shifts.as_ref().map(rows).transpose()?;
+    Ok(PyArray1::from_vec(py, detached(py, |_| quad_edge::onext(view, shifts))?))
+}
+
+/// How many walls lie between every triangle and infinity.
+#[pyfunction]
+pub(crate) fn depths<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    wall: numpy::PyReadonlyArray1<'py, bool>,
+) -> PyResult<Row<'py, i32>> {
+    let (view, wall) = (arrays.view()?, wall.as_slice()?);
+    Ok(PyArray1::from_vec(py, detached(py, |watch| crazing::diagram::depths(view, wall, watch))?))
 }
 
 /// For every vertex the lowest row that shares its place.

@@ -8,11 +8,14 @@ mod diagram;
 mod graph;
 mod guard;
 mod maze;
+mod measure;
 mod png;
 mod region;
 mod render;
 mod sample;
 mod skeleton;
+mod texture;
+mod tiff;
 
 use pyo3::prelude::*;
 
@@ -21,28 +24,41 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::crack::crack;
+    use crate::crack::{
+        crack_arrivals, crack_impact, crack_pairs, crack_roughen, crack_split, crack_straighten, crack_trim,
+        crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
+    };
     #[pymodule_export]
-    use crate::diagram::{diagram, dual_edges, onext, periodic_diagram, representatives, tile};
+    use crate::diagram::{
+        constrained_diagram, depths, diagram, dual_edges, onext, periodic_diagram, representatives, tile,
+    };
     #[pymodule_export]
     use crate::graph::{graph_compact, graph_components, graph_degrees, graph_distances, graph_polylines};
     #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]
-    use crate::maze::{carve, distances, longest, solve};
+    use crate::maze::{carve, distances, longest, solve, voronoi_doors};
     #[pymodule_export]
-    use crate::png::encode_png;
+    use crate::measure::{stamp, statistics, thin, trace};
     #[pymodule_export]
-    use crate::region::{dual_edges_within, region_contains};
+    use crate::png::{encode_png, png_head, png_rows, png_tail};
+    #[pymodule_export]
+    use crate::region::{region_cells, region_contains, region_doors, region_rings, region_route};
     #[pymodule_export]
     use crate::render::render;
     #[pymodule_export]
-    use crate::sample::{sample_laplace, sample_normal, sample_uniform};
+    use crate::sample::{
+        sample_from_density, sample_laplace, sample_normal, sample_poisson_disk, sample_relax, sample_uniform,
+    };
     #[pymodule_export]
     use crate::skeleton::{
         axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
         without_bumps,
     };
+    #[pymodule_export]
+    use crate::texture::{plates, texture};
+    #[pymodule_export]
+    use crate::tiff::tiff_tiles;
 
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]

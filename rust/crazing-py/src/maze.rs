@@ -1,20 +1,17 @@
-//! Mazes of a diagram.
+//! Mazes: which doors between cells are open, and the ways through them.
 
+use crazing::Error;
+use crazing::graph::check_indices;
 use crazing::maze::{self, Doors, Tree};
-use crazing::{DiagramView, Error};
-use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::arrays::{column, table};
+use crate::arrays::{column, rows, table};
 use crate::diagram::Arrays;
 use crate::guard::{checked, detached};
 
-type Carved<'py> = (Bound<'py, PyArray1<bool>>, Bound<'py, PyArray2<i32>>, i32);
-
-/// Number of cells and the two sides of every door: sites and edges, or triangles and dual edges.
-fn cells<'a>(view: DiagramView<'a>, delaunay: bool) -> (usize, &'a [[i32; 2]]) {
-    if delaunay { (view.triangles.len(), view.dual_edges) } else { (view.sites.len(), view.edges) }
-}
+type Row<'py, T> = Bound<'py, PyArray1<T>>;
+type Carved<'py> = (Row<'py, bool>, Bound<'py, PyArray2<i32>>, i32);
 
 fn tree(name: &str) -> PyResult<Tree> {
     checked(match name {
@@ -26,26 +23,45 @@ fn tree(name: &str) -> PyResult<Tree> {
     })
 }
 
-/// Open doors, passages and start of a maze; the doors are those of the diagram where none are given.
+/// The cells on either side of every door.
+#[derive(FromPyObject)]
+pub(crate) struct Sides<'py>(usize, PyReadonlyArray2<'py, i32>);
+
+impl Sides<'_> {
+    /// The number of cells, and two of them a door.
+    fn checked(&self) -> PyResult<(usize, &[[i32; 2]])> {
+        let sides = rows(&self.1)?;
+        checked(check_indices("sides", sides, -1, self.0))?;
+        Ok((self.0, sides))
+    }
+}
+
+/// Which dual edges have a length, so that a Voronoi cell can be left through them.
+#[pyfunction]
+pub(crate) fn voronoi_doors<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Row<'py, bool>> {
+    let view = arrays.view()?;
+    Ok(PyArray1::from_vec(py, detached(py, |_| Ok(maze::voronoi_doors(view)))?))
+}
+
+/// Open doors, passages and start of a maze; without a start, one is drawn, `among_doors` of the cells that have one.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, reason = "the face passes them one by one")]
 pub(crate) fn carve<'py>(
     py: Python<'py>,
-    arrays: Arrays<'py>,
-    delaunay: bool,
-    doors: Option<PyReadonlyArray1<'py, bool>>,
+    sides: Sides<'py>,
+    doors: PyReadonlyArray1<'py, bool>,
     tree: &str,
     start: Option<usize>,
+    among_doors: bool,
     opening: f64,
     key: [u64; 2],
 ) -> PyResult<Carved<'py>> {
-    let (view, tree) = (arrays.view()?, self::tree(tree)?);
-    let (cells, sides) = cells(view, delaunay);
-    let given = doors.as_ref().map(|doors| column(doors, "doors", sides.len())).transpose()?;
+    let ((cells, sides), tree) = (sides.checked()?, self::tree(tree)?);
+    let door = column(&doors, "doors", sides.len())?;
+    let doors = Doors { cells, sides, door };
     let carved = detached(py, |watch| {
-        let every = || if delaunay { vec![true; sides.len()] } else { maze::voronoi_doors(view) };
-        let door = given.map_or_else(every, <[bool]>::to_vec);
-        maze::carve(Doors { cells, sides, door: &door }, tree, start, opening, key, watch)
+        let drawn = || if among_doors { maze::cell_with_door(doors, key) } else { None };
+        maze::carve(doors, tree, start.or_else(drawn), opening, key, watch)
     })?;
     Ok((PyArray1::from_vec(py, carved.open), table(py, carved.passages)?, carved.start))
 }
@@ -54,30 +70,25 @@ pub(crate) fn carve<'py>(
 #[pyfunction]
 pub(crate) fn solve<'py>(
     py: Python<'py>,
-    arrays: Arrays<'py>,
-    delaunay: bool,
+    sides: Sides<'py>,
     open: PyReadonlyArray1<'py, bool>,
     source: usize,
     target: usize,
-) -> PyResult<Bound<'py, PyArray1<i32>>> {
-    let view = arrays.view()?;
-    let (cells, sides) = cells(view, delaunay);
+) -> PyResult<Row<'py, i32>> {
+    let (cells, sides) = sides.checked()?;
     let open = column(&open, "open", sides.len())?;
-    let way = detached(py, |watch| maze::solve(cells, sides, open, source, target, watch))?;
-    Ok(PyArray1::from_vec(py, way))
+    Ok(PyArray1::from_vec(py, detached(py, |watch| maze::solve(cells, sides, open, source, target, watch))?))
 }
 
 /// Open doors between the source and every cell.
 #[pyfunction]
 pub(crate) fn distances<'py>(
     py: Python<'py>,
-    arrays: Arrays<'py>,
-    delaunay: bool,
+    sides: Sides<'py>,
     open: PyReadonlyArray1<'py, bool>,
     source: usize,
-) -> PyResult<Bound<'py, PyArray1<i32>>> {
-    let view = arrays.view()?;
-    let (cells, sides) = cells(view, delaunay);
+) -> PyResult<Row<'py, i32>> {
+    let (cells, sides) = sides.checked()?;
     let open = column(&open, "open", sides.len())?;
     Ok(PyArray1::from_vec(py, detached(py, |watch| maze::distances(cells, sides, open, source, watch))?))
 }
@@ -86,12 +97,10 @@ pub(crate) fn distances<'py>(
 #[pyfunction]
 pub(crate) fn longest<'py>(
     py: Python<'py>,
-    arrays: Arrays<'py>,
-    delaunay: bool,
+    sides: Sides<'py>,
     open: PyReadonlyArray1<'py, bool>,
-) -> PyResult<Bound<'py, PyArray1<i32>>> {
-    let view = arrays.view()?;
-    let (cells, sides) = cells(view, delaunay);
+) -> PyResult<Row<'py, i32>> {
+    let (cells, sides) = sides.checked()?;
     let open = column(&open, "open", sides.len())?;
     Ok(PyArray1::from_vec(py, detached(py, |watch| maze::longest(cells, sides, open, watch))?))
 }

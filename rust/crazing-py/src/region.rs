@@ -1,52 +1,93 @@
 //! Polygons with holes.
 
-use crazing::clip::dual_edges;
-use crazing::region::Region;
+use crazing::region::{self, Region};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::arrays::{column, rows, table};
+use crate::arrays::{rows, table};
 use crate::diagram::Arrays;
 use crate::guard::detached;
 
-type Parts<'py> =
-    (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<i32>>, Bound<'py, PyArray1<i32>>);
+type Row<'py, T> = Bound<'py, PyArray1<T>>;
+type Table<'py, T> = Bound<'py, PyArray2<T>>;
+type Cells<'py> = (Row<'py, i32>, Row<'py, i32>, Table<'py, i32>, Row<'py, i32>, Table<'py, f64>);
 
-/// Vertices, edges and rows of the wanted dual edges within a region, and the rows that its outline cuts.
+/// The coordinates and offsets of a region, as the face passes them.
+#[derive(FromPyObject)]
+pub(crate) struct Rings<'py>(PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>);
+
+/// The same rings made plain: outer ones counter-clockwise, holes clockwise.
 #[pyfunction]
-pub(crate) fn dual_edges_within<'py>(
-    py: Python<'py>,
-    arrays: Arrays<'py>,
-    bounds: [f64; 4],
-    coords: PyReadonlyArray2<'py, f64>,
-    offsets: PyReadonlyArray1<'py, i64>,
-    wanted: PyReadonlyArray1<'py, bool>,
-) -> PyResult<Parts<'py>> {
-    let (view, coords) = (arrays.view()?, rows(&coords)?);
-    let (offsets, wanted) = (offsets.as_slice()?, column(&wanted, "wanted", view.edges.len())?);
-    let (parts, cut) = detached(py, |watch| {
-        let clipped = dual_edges(view, bounds, |k| wanted[k])?;
-        let mut parts = Region::of(coords, offsets, watch)?.clip(&clipped.graph, watch)?;
-        parts.rows.iter_mut().for_each(|row| *row = clipped.rows[*row as usize]);
-        let cut = clipped.rows.iter().zip(&parts.cut).filter(|(_, cut)| **cut).map(|(&row, _)| row).collect();
-        Ok((parts, cut))
-    })?;
-    let (vertices, edges) = (table(py, parts.graph.vertices)?, table(py, parts.graph.edges)?);
-    Ok((vertices, edges, PyArray1::from_vec(py, parts.rows), PyArray1::from_vec(py, cut)))
+pub(crate) fn region_rings<'py>(py: Python<'py>, rings: Rings<'py>) -> PyResult<(Table<'py, f64>, Row<'py, i64>)> {
+    let (coords, offsets) = (rows(&rings.0)?, rings.1.as_slice()?);
+    let (coords, offsets) = detached(py, |watch| Ok(Region::of(coords, offsets, 0, watch)?.rings()))?;
+    Ok((table(py, coords)?, PyArray1::from_vec(py, offsets)))
 }
 
 /// Which points lie in a region.
 #[pyfunction]
 pub(crate) fn region_contains<'py>(
     py: Python<'py>,
-    coords: PyReadonlyArray2<'py, f64>,
-    offsets: PyReadonlyArray1<'py, i64>,
+    rings: Rings<'py>,
     points: PyReadonlyArray2<'py, f64>,
-) -> PyResult<Bound<'py, PyArray1<bool>>> {
-    let (coords, points, offsets) = (rows(&coords)?, rows(&points)?, offsets.as_slice()?);
+) -> PyResult<Row<'py, bool>> {
+    let (coords, points, offsets) = (rows(&rings.0)?, rows(&points)?, rings.1.as_slice()?);
     let found = detached(py, |watch| {
-        let region = Region::of(coords, offsets, watch)?;
+        let region = Region::of(coords, offsets, points.len(), watch)?;
         Ok(points.iter().map(|&p| region.contains(p)).collect())
     });
     Ok(PyArray1::from_vec(py, found?))
+}
+
+/// Further parts, rows of further doors, sides of all doors, cells on the rim and where they meet the outline.
+#[pyfunction]
+pub(crate) fn region_cells<'py>(py: Python<'py>, arrays: Arrays<'py>, rings: Rings<'py>) -> PyResult<Cells<'py>> {
+    let (view, coords, offsets) = (arrays.view()?, rows(&rings.0)?, rings.1.as_slice()?);
+    let found = detached(py, |watch| {
+        let region = Region::of(coords, offsets, view.edges.len(), watch)?;
+        region::cells::cells(view, &region, watch)
+    })?;
+    Ok((
+        PyArray1::from_vec(py, found.parts),
+        PyArray1::from_vec(py, found.rows),
+        table(py, found.sides)?,
+        PyArray1::from_vec(py, found.rim),
+        table(py, found.arcs)?,
+    ))
+}
+
+/// Vertices, edges and numbers of the doors wanted.
+#[pyfunction]
+pub(crate) fn region_doors<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    rings: Rings<'py>,
+    wanted: PyReadonlyArray1<'py, bool>,
+) -> PyResult<(Table<'py, f64>, Table<'py, i32>, Row<'py, i32>)> {
+    let (view, coords, offsets) = (arrays.view()?, rows(&rings.0)?, rings.1.as_slice()?);
+    let wanted = wanted.as_slice()?;
+    let found = detached(py, |watch| {
+        let region = Region::of(coords, offsets, view.edges.len(), watch)?;
+        region::doors(view, &region, wanted, watch)
+    })?;
+    Ok((table(py, found.graph.vertices)?, table(py, found.graph.edges)?, PyArray1::from_vec(py, found.numbers)))
+}
+
+/// The line through cells within a region.
+#[pyfunction]
+pub(crate) fn region_route<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    rings: Rings<'py>,
+    sites: PyReadonlyArray1<'py, i32>,
+    doors: PyReadonlyArray2<'py, i32>,
+    ends: [Option<f64>; 2],
+) -> PyResult<Table<'py, f64>> {
+    let (view, coords, offsets) = (arrays.view()?, rows(&rings.0)?, rings.1.as_slice()?);
+    let (sites, doors) = (sites.as_slice()?, rows(&doors)?);
+    let line = detached(py, |watch| {
+        let region = Region::of(coords, offsets, view.edges.len(), watch)?;
+        region::route(view, &region, sites, doors, ends, watch)
+    })?;
+    table(py, line)
 }

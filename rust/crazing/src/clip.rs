@@ -65,6 +65,52 @@ pub fn dual_edges(view: DiagramView<'_>, bounds: Bounds, wanted: impl Fn(usize) 
     Ok(clipped)
 }
 
+/// Dual edges as ways between two points, rays and far ends cut.
+pub(crate) struct Ways<'a> {
+    view: DiagramView<'a>,
+    bounds: Bounds,
+    fine: Scale,
+    scale: Scale,
+}
+
+impl<'a> Ways<'a> {
+    /// Cut at `bounds`, or somewhere beyond them.
+    pub(crate) fn of(view: DiagramView<'a>, bounds: Bounds) -> Self {
+        let fine = Scale::of(largest(view.sites));
+        let scale = Scale::of(largest(view.sites).max(largest(&[[bounds[0], bounds[1]], [bounds[2], bounds[3]]])));
+        Self { view, bounds, fine, scale }
+    }
+
+    /// The two ends of dual edge `k`, when both are finite and within the bounds.
+    #[inline]
+    pub(crate) fn whole(&self, k: usize) -> Option<[Point; 2]> {
+        let [right, left] = self.view.dual_edges[k];
+        if right == -1 || left == -1 {
+            return None;
+        }
+        let ends = [right, left].map(|t| self.view.vertices[t as usize]);
+        let [xmin, ymin, xmax, ymax] = self.bounds;
+        let within = |[x, y]: Point| xmin <= x && x <= xmax && ymin <= y && y <= ymax;
+        (within(ends[0]) && within(ends[1])).then_some(ends)
+    }
+
+    /// The part of dual edge `k` within the bounds, from the right of its edge to the left; None without a length.
+    pub(crate) fn cut(&self, k: usize) -> Option<[Point; 2]> {
+        if let Some(ends) = self.whole(k) {
+            return (ends[0] != ends[1]).then_some(ends);
+        }
+        let line = Bisector::of(self.view, k, self.fine, self.scale);
+        let [xmin, ymin, xmax, ymax] = self.bounds;
+        let [from, to] = line.within(self.scale.down([xmin, ymin]), self.scale.down([xmax, ymax]))?;
+        let end = |t: f64, own: f64, triangle: i32| {
+            if triangle != -1 && t == own { self.view.vertices[triangle as usize] } else { self.scale.up(line.at(t)) }
+        };
+        let [right, left] = self.view.dual_edges[k];
+        let ends = [end(from, line.ends[0], right), end(to, line.ends[1], left)];
+        (ends[0] != ends[1]).then_some(ends)
+    }
+}
+
 /// The line of points as far from one site as from the other: `middle + t * normal`.
 struct Bisector {
     middle: Point,

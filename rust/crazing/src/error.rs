@@ -95,6 +95,28 @@ pub enum Error {
         /// What is wanted.
         wanted: &'static str,
     },
+    /// A segment without a length.
+    #[error("{array}[{row}] is ({}, {}), one place; two distinct points are wanted", ends[0], ends[1])]
+    Loop {
+        /// Which array.
+        array: &'static str,
+        /// Which row.
+        row: usize,
+        /// Rows of its ends.
+        ends: [i32; 2],
+    },
+    /// Two segments that may only touch.
+    #[error(
+        "{what} ({}, {}) crosses or overlaps {what} ({}, {}); they may only touch", first[0], first[1], second[0], second[1]
+    )]
+    Crossing {
+        /// What a segment is.
+        what: &'static str,
+        /// Rows of the ends of one.
+        first: [usize; 2],
+        /// Rows of the ends of the other.
+        second: [usize; 2],
+    },
     /// A result that would not fit into memory.
     #[error("{what} would take {bytes} bytes of memory, which could not be had")]
     OutOfMemory {

@@ -2,13 +2,18 @@
 //!
 //! Knows no Python, no files, no clock and no global random state. See `rust/ARCHITECTURE.md`.
 
+mod bits;
 pub mod clip;
 pub mod crack;
+mod crew;
+pub mod deflate;
 pub mod diagram;
 pub mod error;
 pub mod graph;
+mod huffman;
 pub mod incidence;
 pub mod maze;
+pub mod measure;
 mod parallel;
 pub mod png;
 pub mod predicates;
@@ -20,6 +25,8 @@ pub mod rng;
 pub mod sample;
 pub mod sets;
 pub mod skeleton;
+pub mod texture;
+pub mod tiff;
 pub mod watch;
 
 pub use diagram::{Diagram, DiagramView};

@@ -5,6 +5,8 @@ use rayon::slice::ParallelSliceMut;
 
 /// Fewer items than this are not worth waking threads for.
 const WORTHWHILE: usize = 1 << 15;
+/// Items that one of long work counts for.
+const LONG: usize = 1 << 8;
 
 /// Runs `many` in a pool of all cores, or `one` when there is little to do or no pool can be had.
 fn choose<T: Send, A: Send>(len: usize, arg: A, one: impl FnOnce(A) -> T, many: impl FnOnce(A) -> T + Send) -> T {
@@ -36,6 +38,22 @@ pub(crate) fn map<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> 
         |f| (0..len).map(f).collect(),
         |f| (0..len).into_par_iter().with_min_len(WORTHWHILE / 8).map(f).collect(),
     )
+}
+
+/// The same where each item is long work.
+pub(crate) fn map_slow<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    choose(len.saturating_mul(LONG), &f, |f| (0..len).map(f).collect(), |f| (0..len).into_par_iter().map(f).collect())
+}
+
+/// The same where every single item is worth a thread.
+pub(crate) fn several<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    let worth = if len > 1 { WORTHWHILE } else { 0 };
+    choose(worth, &f, |f| (0..len).map(f).collect(), |f| (0..len).into_par_iter().map(f).collect())
+}
+
+/// `f` of each of `0..len`, in any order.
+pub(crate) fn each(len: usize, f: impl Fn(usize) + Sync + Send) {
+    choose(len, &f, |f| (0..len).for_each(f), |f| (0..len).into_par_iter().with_min_len(WORTHWHILE / 8).for_each(f));
 }
 
 /// The first of `0..len` that `f` holds for.

@@ -26,6 +26,16 @@ pub mod stream {
     pub const WIDTH: u64 = 7;
     /// The wandering of a crack about its straight edges.
     pub const ROUGHNESS: u64 = 8;
+    /// The smooth warp of a whole crack pattern.
+    pub const WARP: u64 = 9;
+    /// Where and in which order cells are split.
+    pub const SPLIT: u64 = 10;
+    /// Spokes and arcs about an impact.
+    pub const IMPACT: u64 = 11;
+    /// Noise over the pixels of a texture.
+    pub const GRAIN: u64 = 40;
+    /// How the plates of a texture differ.
+    pub const PLATE: u64 = 41;
 }
 
 // Multipliers and Weyl increments (golden ratio, sqrt(3) - 1) of the paper, table 2 and section 4.3.

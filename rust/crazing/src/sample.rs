@@ -4,6 +4,14 @@
 //! The arithmetic is + - * / and square root, which are exact everywhere, and the logarithm of `libm`, which is
 //! the same code everywhere: equal keys give equal bits on every platform.
 
+mod density;
+mod poisson_disk;
+mod relax;
+
+pub use density::{Density, from_density};
+pub use poisson_disk::poisson_disk;
+pub use relax::relax;
+
 use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::quantile;
@@ -19,19 +27,28 @@ use crate::watch::Watch;
 /// # Source
 /// Thesis, section 8.1.
 pub fn uniform(n: usize, bounds: [f64; 4], key: Key, watch: Watch<'_>) -> Result<Vec<Point>> {
+    check_box(bounds)?;
     let [xmin, ymin, xmax, ymax] = bounds;
     let (width, height) = (xmax - xmin, ymax - ymin);
-    for side in [width, height] {
-        if !(side > 0.0 && side.is_finite()) {
-            return Err(Error::BadValue {
-                name: "a side of bounds",
-                value: side,
-                wanted: "positive and finite is wanted",
-            });
-        }
-    }
     // Rounding of the sum may step over the upper bound, never under the lower.
     points(n, key, watch, |[u, v]| [(xmin + width * u).min(xmax), (ymin + height * v).min(ymax)])
+}
+
+fn check_box([xmin, ymin, xmax, ymax]: [f64; 4]) -> Result<()> {
+    match [xmax - xmin, ymax - ymin].into_iter().find(|side| !(*side > 0.0 && side.is_finite())) {
+        Some(value) => {
+            Err(Error::BadValue { name: "a side of bounds", value, wanted: "positive and finite is wanted" })
+        }
+        None => Ok(()),
+    }
+}
+
+/// An empty list with room for `n` points.
+fn reserved(n: usize) -> Result<Vec<Point>> {
+    let mut points = Vec::new();
+    let bytes = n as u128 * size_of::<Point>() as u128;
+    points.try_reserve_exact(n).map_err(|_| Error::OutOfMemory { what: "the points", bytes })?;
+    Ok(points)
 }
 
 /// `n` points, each coordinate normal with mean `loc` and standard deviation `scale`.
@@ -80,9 +97,7 @@ fn located(
 
 /// `place` of two uniform numbers a point, x from word 0 and y from word 1 of the point's block.
 fn points(n: usize, key: Key, watch: Watch<'_>, place: impl Fn([f64; 2]) -> Point) -> Result<Vec<Point>> {
-    let mut points = Vec::new();
-    let bytes = n as u128 * size_of::<Point>() as u128;
-    points.try_reserve_exact(n).map_err(|_| Error::OutOfMemory { what: "the points", bytes })?;
+    let mut points = reserved(n)?;
     for i in 0..n {
         watch.poll_at(i)?;
         let words = block(key, [i as u64, 0, stream::SAMPLE, 0]);

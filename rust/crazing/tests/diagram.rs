@@ -150,7 +150,7 @@ proptest! {
     #[test]
     fn quad_edge_laws(points in prop_oneof![any_points(), lattice()]) {
         let d = of(&points);
-        let next = onext(d.view()).unwrap();
+        let next = onext(d.view(), None).unwrap();
         let next = |q: i32| next[q as usize];
         for q in 0..4 * d.edges.len() as i32 {
             prop_assert_eq!(rot(rot(rot(rot(q)))), q);

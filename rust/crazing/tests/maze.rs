@@ -4,7 +4,7 @@
 mod families;
 
 use crazing::clip::dual_edges;
-use crazing::crack::{Profile, crack, strands};
+use crazing::crack::{Net, Profile, pairs, strands, widths, within};
 use crazing::diagram::diagram;
 use crazing::maze::{Doors, Maze, Tree, carve, distances, longest, solve, voronoi_doors};
 use crazing::sets::DisjointSets;
@@ -101,13 +101,15 @@ fn widths_taper_to_free_tips_and_stay_at_the_bounds() {
     let d = of(&family("uniform", 300, 2));
     let m = maze_of(&d, 1.0, 2);
     let bounds = [0.0, 0.0, 1.0, 1.0];
-    let c = crack(d.view(), &m.open, bounds, Profile { width: 0.01, hierarchy: 0.5, taper: 0.5 }).unwrap();
-    let mut degree = vec![0; c.graph.vertices.len()];
-    c.graph.edges.iter().flatten().for_each(|&v| degree[v as usize] += 1);
+    let net = within(d.view(), &m.open, bounds).unwrap().net;
+    let found = strands(net.view(), &pairs(net.view(), 4.0), &[]);
+    let profile = Profile { width: 0.01, ..Profile::default() };
+    let width = widths(net.view(), &found, profile, [2, 0]).unwrap();
+    let degree = net.view().degrees();
     let mut tips = 0;
-    for (edge, width) in c.graph.edges.iter().zip(&c.width) {
+    for (edge, width) in net.edges.iter().zip(&width) {
         for (&v, &w) in edge.iter().zip(width) {
-            let on_bounds = c.graph.vertices[v as usize].iter().any(|&x| x == 0.0 || x == 1.0);
+            let on_bounds = net.vertices[v as usize].iter().any(|&x| x == 0.0 || x == 1.0);
             assert!((0.0..=0.01 + 1e-15).contains(&w));
             if degree[v as usize] == 1 {
                 tips += usize::from(!on_bounds);
@@ -116,7 +118,7 @@ fn widths_taper_to_free_tips_and_stay_at_the_bounds() {
         }
     }
     assert!(tips > 20);
-    assert_eq!(c.strand.iter().zip(&c.generation).filter(|(s, _)| **s == 0).map(|(_, g)| *g).max(), Some(0));
+    assert_eq!(found.of_edge.iter().zip(&found.generation).filter(|(s, _)| **s == 0).map(|(_, g)| *g).max(), Some(0));
 }
 
 proptest! {
@@ -181,8 +183,8 @@ proptest! {
     #[test]
     fn strands_cover_every_edge_once_and_are_walks(points in prop_oneof![any_points(), lattice()]) {
         let d = of(&points);
-        let g = dual_edges(d.view(), [-1.0, -1.0, 7.0, 7.0], |_| true).unwrap().graph;
-        let s = strands(&g);
+        let g = Net::plane(dual_edges(d.view(), [-1.0, -1.0, 7.0, 7.0], |_| true).unwrap().graph);
+        let s = strands(g.view(), &pairs(g.view(), 4.0), &[]);
         let mut edges: Vec<u32> = s.entries.iter().map(|entry| entry / 2).collect();
         edges.sort_unstable();
         prop_assert!(edges.into_iter().eq(0..g.edges.len() as u32));

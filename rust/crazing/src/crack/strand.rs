@@ -1,6 +1,7 @@
 //! Strands: at every vertex the edges that continue each other best are one crack.
 
-use crate::graph::{PlanarGraph, Point};
+use super::net::{Ends, NONE, NetView};
+use crate::graph::Point;
 
 /// Beyond the first pair of a vertex, edges are joined only while the cosine between them is below this.
 const STRAIGHT: f64 = -0.2;
@@ -11,9 +12,11 @@ const STAR: usize = 8;
 /// The strands of a graph. Ends are numbered 2 edge + side.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Strands {
-    /// The strand of each edge; strand 0 is the longest.
+    /// The strand of each edge; strand 0 is the oldest.
     pub of_edge: Vec<i32>,
-    /// The generation of each edge's strand: 0 abuts no longer strand, others are one more than the youngest longer
+    /// The strand that each strand abuts: of the older ones at its ends the youngest, or -1.
+    pub parent: Vec<i32>,
+    /// The generation of each edge's strand: 0 abuts no older strand, others are one more than the youngest older
     /// strand they abut.
     pub generation: Vec<i32>,
     /// The ends of the edges along each strand in turn: an end to enter an edge by.
@@ -24,76 +27,42 @@ pub struct Strands {
     pub length: Vec<f64>,
 }
 
-/// No edge goes on.
-const NONE: u32 = u32::MAX;
-
-/// Follows the best-aligned pairs of edges through a graph.
+/// Follows the best-aligned pairs of edges through a drawing; `partner` is what [`pairs`] gives.
 ///
-/// Two edges at a vertex of degree 2 always pair, at degree 3 the two that are best aligned; above, further pairs
-/// join while they are fairly straight.
-pub fn strands(graph: &PlanarGraph) -> Strands {
-    let ends = Ends::of(graph);
-    let partner = pair(graph, &ends);
-    let mut runs = follow(graph, &partner);
-    // Longest first; equal lengths by their first edge.
-    runs.sort_by(|a, b| b.length.total_cmp(&a.length).then(a.lowest.cmp(&b.lowest)));
-    number(graph, &ends, &runs)
-}
-
-/// The ends of edges at each vertex, in one row.
-struct Ends {
-    starts: Vec<usize>,
-    row: Vec<u32>,
-}
-
-impl Ends {
-    fn of(graph: &PlanarGraph) -> Self {
-        let mut starts = vec![0; graph.vertices.len() + 2];
-        for &vertex in graph.edges.iter().flatten() {
-            starts[vertex as usize + 2] += 1;
-        }
-        for i in 2..starts.len() {
-            starts[i] += starts[i - 1];
-        }
-        let mut row = vec![0; 2 * graph.edges.len()];
-        for (end, &vertex) in graph.edges.iter().flatten().enumerate() {
-            let place = &mut starts[vertex as usize + 1];
-            row[*place] = end as u32;
-            *place += 1;
-        }
-        Self { starts, row }
-    }
-
-    fn at(&self, vertex: usize) -> &[u32] {
-        &self.row[self.starts[vertex]..self.starts[vertex + 1]]
-    }
-}
-
-/// Position of the vertex at an end.
-fn vertex(graph: &PlanarGraph, end: u32) -> i32 {
-    graph.edges[end as usize / 2][end as usize % 2]
+/// `age` of every edge, low is old, orders the strands; where there is none the longer is the older.
+pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
+    let mut runs = follow(net, partner);
+    let age = |run: &Run| age.get(run.lowest as usize).copied().unwrap_or(0);
+    // Oldest first, then longest; equal lengths by their first edge.
+    runs.sort_by(|a, b| age(a).cmp(&age(b)).then(b.length.total_cmp(&a.length)).then(a.lowest.cmp(&b.lowest)));
+    number(net, &Ends::of(net), &runs)
 }
 
 /// Unit vector from an end along its edge.
-fn direction(graph: &PlanarGraph, end: u32) -> Point {
-    let [a, b] = [end, end ^ 1].map(|end| graph.vertices[vertex(graph, end) as usize]);
-    let (x, y) = (b[0] - a[0], b[1] - a[1]);
+fn direction(net: NetView<'_>, end: u32) -> Point {
+    let [x, y] = net.along(end);
     let length = libm::hypot(x, y);
     if length > 0.0 { [x / length, y / length] } else { [0.0; 2] }
 }
 
-/// The end that each end continues into.
-fn pair(graph: &PlanarGraph, ends: &Ends) -> Vec<u32> {
-    let mut partner = vec![NONE; 2 * graph.edges.len()];
-    for vertex in 0..graph.vertices.len() {
+/// The end that each end of an edge continues into, or -1. Ends are numbered 2 edge + side.
+///
+/// Two edges at a vertex of degree 2 always pair, at degree 3 the two that are best aligned; above, further pairs
+/// join while they are fairly straight. At vertices of degree 3 and above no pair turns by more than `sharpest` radians.
+pub fn pairs(net: NetView<'_>, sharpest: f64) -> Vec<i32> {
+    let ends = Ends::of(net);
+    let limit = -libm::cos(sharpest.clamp(0.0, std::f64::consts::PI));
+    let mut partner = vec![NONE; 2 * net.edges.len()];
+    for vertex in 0..net.vertices.len() {
         let here = ends.at(vertex);
-        let mut pairs = candidates(here.iter().map(|&end| (direction(graph, end), end)).collect());
+        let mut pairs = candidates(here.iter().map(|&end| (direction(net, end), end)).collect());
         pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (rank, &(cosine, a, b)) in pairs.iter().enumerate() {
             let alone = partner[a as usize] == NONE && partner[b as usize] == NONE;
-            if alone && (rank == 0 || cosine < STRAIGHT) {
-                partner[a as usize] = b;
-                partner[b as usize] = a;
+            let is_best = rank == 0 && (here.len() == 2 || cosine <= limit || limit >= 1.0);
+            if alone && (is_best || cosine < STRAIGHT.min(limit)) {
+                partner[a as usize] = b as i32;
+                partner[b as usize] = a as i32;
             }
         }
     }
@@ -119,39 +88,35 @@ struct Run {
     lowest: u32,
 }
 
-fn follow(graph: &PlanarGraph, partner: &[u32]) -> Vec<Run> {
-    let mut seen = vec![false; graph.edges.len()];
-    let ends = 0..2 * graph.edges.len() as u32;
+fn follow(net: NetView<'_>, partner: &[i32]) -> Vec<Run> {
+    let mut seen = vec![false; net.edges.len()];
+    let ends = 0..2 * net.edges.len() as u32;
     // Open strands from their ends, then rings from their lowest edge.
     let tips = ends.clone().filter(|&end| partner[end as usize] == NONE);
     let mut runs = Vec::new();
     for tip in tips.chain(ends) {
         if !seen[tip as usize / 2] {
-            runs.push(run(graph, partner, tip, &mut seen));
+            runs.push(run(net, partner, tip, &mut seen));
         }
     }
     runs
 }
 
-fn run(graph: &PlanarGraph, partner: &[u32], tip: u32, seen: &mut [bool]) -> Run {
+fn run(net: NetView<'_>, partner: &[i32], tip: u32, seen: &mut [bool]) -> Run {
     let mut run = Run { entries: Vec::new(), length: 0.0, lowest: tip / 2 };
-    let mut entry = tip;
+    let mut entry = tip as i32;
     while entry != NONE && !std::mem::replace(&mut seen[entry as usize / 2], true) {
-        run.entries.push(entry);
-        run.lowest = run.lowest.min(entry / 2);
-        run.length += edge_length(graph, entry as usize / 2);
+        let edge = entry as u32 / 2;
+        run.entries.push(entry as u32);
+        run.lowest = run.lowest.min(edge);
+        run.length += net.length(edge as usize);
         entry = partner[(entry ^ 1) as usize];
     }
     run
 }
 
-pub(super) fn edge_length(graph: &PlanarGraph, edge: usize) -> f64 {
-    let [a, b] = graph.edges[edge].map(|vertex| graph.vertices[vertex as usize]);
-    libm::hypot(b[0] - a[0], b[1] - a[1])
-}
-
-fn number(graph: &PlanarGraph, ends: &Ends, runs: &[Run]) -> Strands {
-    let mut strands = Strands { of_edge: vec![-1; graph.edges.len()], starts: vec![0], ..Strands::default() };
+fn number(net: NetView<'_>, ends: &Ends, runs: &[Run]) -> Strands {
+    let mut strands = Strands { of_edge: vec![-1; net.edges.len()], starts: vec![0], ..Strands::default() };
     for (strand, run) in runs.iter().enumerate() {
         for &entry in &run.entries {
             strands.of_edge[entry as usize / 2] = strand as i32;
@@ -162,11 +127,13 @@ fn number(graph: &PlanarGraph, ends: &Ends, runs: &[Run]) -> Strands {
     }
     let mut generation: Vec<i32> = Vec::with_capacity(runs.len());
     for (strand, run) in runs.iter().enumerate() {
-        // Both outer ends of the strand; longer strands have their generation already.
+        // Both outer ends of the strand; older strands have their generation already.
         let tips = [run.entries.first().copied(), run.entries.last().map(|entry| entry ^ 1)];
-        let met = tips.into_iter().flatten().flat_map(|tip| ends.at(vertex(graph, tip) as usize));
+        let met = tips.into_iter().flatten().flat_map(|tip| ends.at(net.vertex(tip)));
         let older = met.map(|&end| strands.of_edge[end as usize / 2] as usize).filter(|&other| other < strand);
-        generation.push(older.map(|other| generation[other] + 1).max().unwrap_or(0));
+        let parent = older.max_by_key(|&other| (generation[other], std::cmp::Reverse(other)));
+        generation.push(parent.map_or(0, |other| generation[other] + 1));
+        strands.parent.push(parent.map_or(NONE, |other| other as i32));
     }
     strands.generation = strands.of_edge.iter().map(|&strand| generation[strand as usize]).collect();
     strands

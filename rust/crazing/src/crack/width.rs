@@ -1,11 +1,11 @@
-//! Width: long cracks are wide, free tips run out to a point.
+//! Width: old and long cracks are wide, free tips run out to a point.
 
-use super::strand::{Strands, edge_length};
+use super::net::NetView;
+use super::strand::Strands;
 use crate::error::{Error, Result};
-use crate::graph::PlanarGraph;
-
-/// Width of an abutting end, relative to the strand's own.
-const ABUTTING: f64 = 0.6;
+use crate::graph::Point;
+use crate::quantile;
+use crate::rng::{Key, block, open_unit, stream};
 
 /// How wide cracks are.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,48 +14,150 @@ pub struct Profile {
     pub width: f64,
     /// Width grows with this power of the strand's length: 0 makes all alike, 1/2 is what real cracks show.
     pub hierarchy: f64,
+    /// Width is this part of the parent generation's.
+    pub shrink: f64,
     /// The part of a strand over which a free tip runs out: 0 leaves it blunt.
     pub taper: f64,
+    /// Width of an abutting end, relative to the strand's own.
+    pub abutting: f64,
+    /// Standard deviation of the logarithm of width, from strand to strand; half of it along a strand.
+    pub unevenness: f64,
+    /// The length over which width changes along a strand, data units.
+    pub unit: f64,
+    /// Where width is full; it falls to `1 / (1 + (distance / reach)^2)^(fade / 2)` of it elsewhere.
+    pub source: Point,
+    /// See `source`.
+    pub reach: f64,
+    /// See `source`; 0 is no source.
+    pub fade: f64,
 }
 
-/// Width at the two ends of each edge. `free` tells which vertices may be free tips.
+impl Default for Profile {
+    fn default() -> Self {
+        Self {
+            width: 0.0,
+            hierarchy: 0.5,
+            shrink: 1.0,
+            taper: 0.5,
+            abutting: 0.6,
+            unevenness: 0.0,
+            unit: 1.0,
+            source: [0.0; 2],
+            reach: 1.0,
+            fade: 0.0,
+        }
+    }
+}
+
+/// Width at the two ends of each edge.
 ///
 /// # Errors
 /// [`Error::BadValue`].
-pub fn widths(graph: &PlanarGraph, strands: &Strands, free: &[bool], profile: Profile) -> Result<Vec<[f64; 2]>> {
-    for (name, value) in [("width", profile.width), ("hierarchy", profile.hierarchy), ("taper", profile.taper)] {
-        if !(value.is_finite() && value >= 0.0) {
-            return Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" });
-        }
-    }
-    let degree = degrees(graph);
-    let mut widths = vec![[0.0; 2]; graph.edges.len()];
+pub fn widths(net: NetView<'_>, strands: &Strands, profile: Profile, key: Key) -> Result<Vec<[f64; 2]>> {
+    check(&profile)?;
+    let degree = net.degrees();
+    let longest = strands.length.iter().fold(f64::MIN_POSITIVE, |longest, &length| longest.max(length));
+    let mut widths = vec![[0.0; 2]; net.edges.len()];
     for (strand, &length) in strands.length.iter().enumerate() {
         let entries = &strands.entries[strands.starts[strand]..strands.starts[strand + 1]];
         let tip = |end: u32| {
-            let vertex = graph.edges[end as usize / 2][end as usize % 2] as usize;
-            Tip::of(degree[vertex], free[vertex])
+            let vertex = net.vertex(end);
+            Tip::of(degree[vertex], !net.cut[vertex])
         };
         let (Some(&first), Some(&last)) = (entries.first(), entries.last()) else { continue };
-        let full = profile.width * libm::pow(length / strands.length[0].max(f64::MIN_POSITIVE), profile.hierarchy);
-        let shape = Shape { full, length, reach: profile.taper * length, tips: [tip(first), tip(last ^ 1)] };
-        let mut run = 0.0;
+        let generation = strands.generation[first as usize / 2];
+        let full = profile.width
+            * libm::pow(length / longest, profile.hierarchy)
+            * libm::pow(profile.shrink, f64::from(generation));
+        let shape = Shape {
+            full: full * factor(profile.unevenness, key, strand, 0),
+            length,
+            reach: profile.taper * length,
+            tips: [tip(first), tip(last ^ 1)],
+            abutting: profile.abutting,
+        };
+        let mut uneven = Uneven::of(&profile, key, strand);
+        let mut at =
+            |run: f64, end: u32| shape.at(run) * uneven.at(run) * faded(net, &profile, net.vertices[net.vertex(end)]);
+        let (mut run, mut before) = (0.0, at(0.0, first));
         for &entry in entries {
             let edge = entry as usize / 2;
-            widths[edge][entry as usize % 2] = shape.at(run);
-            run += edge_length(graph, edge);
-            widths[edge][1 - entry as usize % 2] = shape.at(run);
+            run += net.length(edge);
+            let after = at(run, entry ^ 1);
+            widths[edge][entry as usize % 2] = before;
+            widths[edge][1 - entry as usize % 2] = after;
+            before = after;
         }
     }
     Ok(widths)
 }
 
-fn degrees(graph: &PlanarGraph) -> Vec<u32> {
-    let mut degrees = vec![0; graph.vertices.len()];
-    for &vertex in graph.edges.iter().flatten() {
-        degrees[vertex as usize] += 1;
+fn check(profile: &Profile) -> Result<()> {
+    let values = [
+        ("width", profile.width),
+        ("hierarchy", profile.hierarchy),
+        ("shrink", profile.shrink),
+        ("taper", profile.taper),
+        ("abutting", profile.abutting),
+        ("unevenness", profile.unevenness),
+        ("fade", profile.fade),
+    ];
+    match values.into_iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0)) {
+        Some((name, value)) => Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" }),
+        None => Ok(()),
     }
-    degrees
+}
+
+/// A lognormal factor of its own for every strand and knot along it.
+fn factor(spread: f64, key: Key, strand: usize, knot: u64) -> f64 {
+    if spread == 0.0 {
+        return 1.0;
+    }
+    let word = block(key, [strand as u64, knot, stream::WIDTH, 0])[0];
+    libm::exp(spread * quantile::normal(open_unit(word)))
+}
+
+/// How width changes along a strand: even between knots one unit apart.
+struct Uneven {
+    spread: f64,
+    unit: f64,
+    key: Key,
+    strand: usize,
+    knot: u64,
+    /// The factors at the knot and the next.
+    ends: [f64; 2],
+}
+
+impl Uneven {
+    fn of(profile: &Profile, key: Key, strand: usize) -> Self {
+        let spread = if profile.unit > 0.0 { 0.5 * profile.unevenness } else { 0.0 };
+        let ends = [1, 2].map(|knot| factor(spread, key, strand, knot));
+        Self { spread, unit: profile.unit, key, strand, knot: 0, ends }
+    }
+
+    fn at(&mut self, run: f64) -> f64 {
+        if self.spread == 0.0 {
+            return 1.0;
+        }
+        let whole = (run / self.unit).floor();
+        if whole as u64 != self.knot {
+            self.knot = whole as u64;
+            self.ends = [1, 2].map(|next| factor(self.spread, self.key, self.strand, self.knot + next));
+        }
+        self.ends[0] + (run / self.unit - whole) * (self.ends[1] - self.ends[0])
+    }
+}
+
+fn faded(net: NetView<'_>, profile: &Profile, p: Point) -> f64 {
+    if profile.fade == 0.0 {
+        return 1.0;
+    }
+    let nearest = |i: usize| {
+        let (apart, period) = (p[i] - profile.source[i], net.period[i]);
+        if period > 0.0 { apart - (apart / period).round() * period } else { apart }
+    };
+    let far = libm::hypot(nearest(0), nearest(1)) / profile.reach;
+    libm::pow(1.0 + far * far, -0.5 * profile.fade)
 }
 
 /// How a strand ends.
@@ -83,6 +185,7 @@ struct Shape {
     length: f64,
     reach: f64,
     tips: [Tip; 2],
+    abutting: f64,
 }
 
 impl Shape {
@@ -98,7 +201,7 @@ impl Shape {
         }
         match tip {
             Tip::Free => (distance / self.reach).sqrt(),
-            Tip::Abutting => ABUTTING + (1.0 - ABUTTING) * distance / self.reach,
+            Tip::Abutting => self.abutting + (1.0 - self.abutting) * distance / self.reach,
             Tip::Cut => 1.0,
         }
     }

@@ -22,13 +22,22 @@ const MOST_POINTS: usize = i32::MAX as usize / 3;
 /// Thesis, sections 3.1 and 3.2.
 pub fn diagram(points: &[Point], watch: Watch<'_>) -> Result<Diagram> {
     check_points(points)?;
+    let (merged, scale) = merge_scaled(points);
+    let topology = delaunay::triangulate(&merged.along, watch)?;
+    Ok(finished(merged, topology, scale))
+}
+
+/// Distinct points near 1, and the unit they are in.
+pub(super) fn merge_scaled(points: &[Point]) -> (Merged, Scale) {
     let largest = largest(points);
     let scale = Scale::of(largest);
-    let scaled = points.iter().map(|&p| scale.down(cleared(p, largest))).collect();
-    let merged = merge(scaled);
-    let (mut sites, along) = (merged.sites, merged.along);
-    let mut topology = delaunay::triangulate(&along, watch)?;
-    let mut vertices = vertices::vertices(&along, &topology);
+    (merge(points.iter().map(|&p| scale.down(cleared(p, largest))).collect()), scale)
+}
+
+/// The diagram of a triangulation, in the user's numbering and unit.
+pub(super) fn finished(merged: Merged, mut topology: delaunay::Topology, scale: Scale) -> Diagram {
+    let mut sites = merged.sites;
+    let mut vertices = vertices::vertices(&merged.along, &topology);
     renumber(&mut topology, &merged.curve);
     if !scale.is_one() {
         for p in sites.iter_mut().chain(&mut vertices) {
@@ -36,7 +45,7 @@ pub fn diagram(points: &[Point], watch: Watch<'_>) -> Result<Diagram> {
         }
     }
     let delaunay::Topology { triangles, edges, dual_edges } = topology;
-    Ok(Diagram { sites, site_of: merged.site_of, triangles, vertices, edges, dual_edges })
+    Diagram { sites, site_of: merged.site_of, triangles, vertices, edges, dual_edges }
 }
 
 /// The edges alone of a Delaunay triangulation of points near 1, and the first row of every point they join.

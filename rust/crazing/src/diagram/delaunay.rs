@@ -4,7 +4,9 @@
 //! `tests/spade_traps.rs` for the inputs on which it failed, and on samples of curves it is quadratic.
 
 use spade::handles::FixedVertexHandle;
-use spade::{DelaunayTriangulation, LastUsedVertexHintGenerator, Point2, Triangulation};
+use spade::{
+    ConstrainedDelaunayTriangulation, DelaunayTriangulation, LastUsedVertexHintGenerator, Point2, Triangulation,
+};
 
 use super::order::{self, Rounds};
 use crate::error::{Error, Result};
@@ -23,20 +25,71 @@ pub(super) struct Topology {
 
 /// Vertices are numbered by their step of insertion.
 type Mesh = DelaunayTriangulation<Point2<f64>, (), (), (), LastUsedVertexHintGenerator>;
+type ConstrainedMesh = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), LastUsedVertexHintGenerator>;
 
 /// Triangulates distinct points that follow a Hilbert curve.
 pub(super) fn triangulate(points: &[Point], watch: Watch<'_>) -> Result<Topology> {
-    match (2..points.len()).find(|&i| orientation(points[0], points[1], points[i]) != 0.0) {
+    match sequence(points) {
         None => Ok(path(points)),
-        Some(corner) => {
-            let Rounds { order, near } = order::rounds(points);
-            // spade searches linearly while all its vertices are on one line, so a triangle goes first.
-            let seed = [0, 1, corner as u32];
-            let rest = order.into_iter().filter(|i| !seed.contains(i));
-            let sequence: Vec<u32> = seed.into_iter().chain(rest).collect();
-            read(&insert(points, &sequence, &near, watch)?, &sequence, watch)
+        Some(Rounds { order, near }) => read(&insert::<Mesh>(points, &order, &near, watch)?, &order, watch),
+    }
+}
+
+/// The same with edges along `constraints`, of which no two cross, and which of the edges these are.
+pub(super) fn triangulate_constrained(
+    points: &[Point],
+    constraints: &[[u32; 2]],
+    watch: Watch<'_>,
+) -> Result<(Topology, Vec<bool>)> {
+    let Some(Rounds { order, near }) = sequence(points) else {
+        let topology = path(points);
+        let constrained = constrained_path(points, &topology.edges, constraints);
+        return Ok((topology, constrained));
+    };
+    let mut mesh = insert::<ConstrainedMesh>(points, &order, &near, watch)?;
+    let mut vertex_of = vec![0; points.len()];
+    for (step, &i) in order.iter().enumerate() {
+        vertex_of[i as usize] = step;
+    }
+    for (step, ends) in constraints.iter().enumerate() {
+        watch.poll_at(step)?;
+        let [from, to] = ends.map(|end| FixedVertexHandle::from_index(vertex_of[end as usize]));
+        // Not `add_constraint`, which panics where it cannot: a bug of ours would then be the user's.
+        if mesh.try_add_constraint(from, to).is_empty() {
+            return Err(Error::Internal("a constraint that crosses none was refused by the triangulation"));
         }
     }
+    let mut places = Places::count(lowest_ends(&mesh, &order), order.len());
+    let mut constrained = vec![false; mesh.num_undirected_edges()];
+    for (edge, lowest) in mesh.undirected_edges().zip(lowest_ends(&mesh, &order)) {
+        constrained[places.take(lowest)] = edge.is_constraint_edge();
+    }
+    Ok((read(&mesh, &order, watch)?, constrained))
+}
+
+/// The order of insertion; none when all points lie on one line.
+fn sequence(points: &[Point]) -> Option<Rounds> {
+    let corner = (2..points.len()).find(|&i| orientation(points[0], points[1], points[i]) != 0.0)?;
+    let Rounds { order, near } = order::rounds(points);
+    // spade searches linearly while all its vertices are on one line, so a triangle goes first.
+    let seed = [0, 1, corner as u32];
+    let rest = order.into_iter().filter(|i| !seed.contains(i));
+    Some(Rounds { order: seed.into_iter().chain(rest).collect(), near })
+}
+
+/// On one line, the edges that lie between the ends of a constraint.
+fn constrained_path(points: &[Point], edges: &[[i32; 2]], constraints: &[[u32; 2]]) -> Vec<bool> {
+    let at = |i: usize| points[i];
+    let spans: Vec<[Point; 2]> = constraints
+        .iter()
+        .map(|ends| ends.map(|end| at(end as usize)))
+        .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
+        .collect();
+    let held = |ends: &[i32; 2]| {
+        let [a, b] = ends.map(|end| at(end as usize));
+        spans.iter().any(|&[low, high]| low <= a && b <= high)
+    };
+    edges.iter().map(held).collect()
 }
 
 /// All points on one line: neighbours along it are joined, and there is no triangle.
@@ -47,8 +100,13 @@ fn path(points: &[Point]) -> Topology {
     Topology { triangles: Vec::new(), dual_edges: vec![[-1, -1]; edges.len()], edges }
 }
 
-fn insert(points: &[Point], sequence: &[u32], near: &[u32], watch: Watch<'_>) -> Result<Mesh> {
-    let mut mesh = Mesh::with_capacity(points.len(), 3 * points.len(), 2 * points.len());
+fn insert<M: Triangulation<Vertex = Point2<f64>>>(
+    points: &[Point],
+    sequence: &[u32],
+    near: &[u32],
+    watch: Watch<'_>,
+) -> Result<M> {
+    let mut mesh = M::with_capacity(points.len(), 3 * points.len(), 2 * points.len());
     let mut vertex_of = vec![0_u32; points.len()];
     for (step, &i) in sequence.iter().enumerate() {
         watch.poll_at(step)?;
@@ -66,10 +124,15 @@ fn insert(points: &[Point], sequence: &[u32], near: &[u32], watch: Watch<'_>) ->
     }
 }
 
+/// A mesh of spade, with constraints or without, that threads may share.
+trait Flat: Triangulation<Vertex = Point2<f64>> + Sync {}
+
+impl<M: Triangulation<Vertex = Point2<f64>> + Sync> Flat for M {}
+
 /// Reads the mesh in the order of its own memory (walking it would wait for memory at every step), and puts triangles
 /// and edges in the order of their lowest site: neighbours in the plane are then neighbours in memory. Reading the mesh
 /// once for each array is cheaper than fresh memory for what was read.
-fn read(mesh: &Mesh, sequence: &[u32], watch: Watch<'_>) -> Result<Topology> {
+fn read(mesh: &impl Flat, sequence: &[u32], watch: Watch<'_>) -> Result<Topology> {
     let ((edges, places), (triangles, triangle_of)) = parallel::join(
         sequence.len(),
         || {
@@ -82,7 +145,7 @@ fn read(mesh: &Mesh, sequence: &[u32], watch: Watch<'_>) -> Result<Topology> {
     Ok(Topology { triangles, edges: edges?, dual_edges })
 }
 
-fn lowest_ends<'a>(mesh: &'a Mesh, sequence: &'a [u32]) -> impl Iterator<Item = u32> + 'a {
+fn lowest_ends<'a>(mesh: &'a impl Flat, sequence: &'a [u32]) -> impl Iterator<Item = u32> + 'a {
     let site = |vertex: usize| sequence[vertex];
     mesh.undirected_edges().map(move |edge| {
         let [a, b] = edge.vertices();
@@ -91,7 +154,7 @@ fn lowest_ends<'a>(mesh: &'a Mesh, sequence: &'a [u32]) -> impl Iterator<Item = 
 }
 
 /// From and to of every edge.
-fn read_edges(mesh: &Mesh, sequence: &[u32], mut places: Places, watch: Watch<'_>) -> Result<Vec<[i32; 2]>> {
+fn read_edges(mesh: &impl Flat, sequence: &[u32], mut places: Places, watch: Watch<'_>) -> Result<Vec<[i32; 2]>> {
     let mut edges = vec![[0; 2]; mesh.num_undirected_edges()];
     for (step, edge) in mesh.undirected_edges().enumerate() {
         watch.poll_at(step)?;
@@ -104,7 +167,7 @@ fn read_edges(mesh: &Mesh, sequence: &[u32], mut places: Places, watch: Watch<'_
 
 /// The triangles on the right and on the left of every edge.
 fn read_dual_edges(
-    mesh: &Mesh,
+    mesh: &impl Flat,
     sequence: &[u32],
     mut places: Places,
     triangle_of: &[i32],
@@ -120,7 +183,7 @@ fn read_dual_edges(
 }
 
 /// Triangles, and the number of every face (-1 for the outside).
-fn read_triangles(mesh: &Mesh, sequence: &[u32]) -> (Vec<[i32; 3]>, Vec<i32>) {
+fn read_triangles(mesh: &impl Flat, sequence: &[u32]) -> (Vec<[i32; 3]>, Vec<i32>) {
     let corners: Vec<[u32; 3]> =
         mesh.inner_faces().map(|face| face.vertices().map(|vertex| sequence[vertex.index()])).collect();
     let lowest = |[a, b, c]: [u32; 3]| a.min(b).min(c);

@@ -1,10 +1,13 @@
 //! The table of edges with two faces: row `k` of `edges` and row `k` of `dual_edges` are one edge and its dual.
 
 mod build;
+mod constrained;
 mod delaunay;
+mod depths;
 mod order;
 mod periodic;
 pub mod scale;
+mod sweep;
 mod ties;
 mod tile;
 mod torus;
@@ -12,11 +15,15 @@ mod vertices;
 
 pub use build::diagram;
 pub(crate) use build::triangulate_near_one;
+pub use constrained::{ConstrainedDiagram, constrained};
+pub use depths::depths;
 pub(crate) use order::hilbert as curve_order;
 pub use order::insertion as insertion_order;
 pub use periodic::{PeriodicDiagram, periodic};
+pub use sweep::check_apart;
 pub use tile::tile;
 pub use vertices::representatives;
+pub(crate) use vertices::shared;
 
 use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};

@@ -172,7 +172,8 @@ fn centres(topology: &Topology, at: &[Point]) -> Vec<Point> {
 
 /// All points, then the copies within the halo: of which row, and how many periods away.
 fn copies(rows: &[Row], cell: &Cell, halo: Halo) -> (Vec<Point>, Vec<(u32, [i8; 2])>) {
-    let mut points: Vec<Point> = rows.iter().map(|row| row.at).collect();
+    let mut points: Vec<Point> = Vec::with_capacity(rows.len() + rows.len() / 8);
+    points.extend(rows.iter().map(|row| row.at));
     let mut copies = Vec::new();
     let within = |x: f64, i: usize, shift: i8| match shift {
         0 => true,

@@ -1,5 +1,7 @@
 //! A power of two that brings coordinates near 1, so that exact arithmetic neither over- nor underflows.
 
+use std::borrow::Cow;
+
 use crate::graph::Point;
 
 /// Coordinates smaller than this part of the largest one count as zero: what the triangulation can hold.
@@ -31,6 +33,11 @@ impl Scale {
         p.map(|x| x * self.down[0] * self.down[1])
     }
 
+    /// All of them; as they are where the unit is 1.
+    pub fn all_down(self, points: &[Point]) -> Cow<'_, [Point]> {
+        if self.is_one() { Cow::Borrowed(points) } else { points.iter().map(|&p| self.down(p)).collect() }
+    }
+
     /// Back to data, exactly for every coordinate that came from there; never infinite.
     pub fn up(self, p: Point) -> Point {
         p.map(|x| (x * self.up[0] * self.up[1]).clamp(-f64::MAX, f64::MAX))
@@ -39,7 +46,12 @@ impl Scale {
 
 /// Size of the largest coordinate.
 pub fn largest(points: &[Point]) -> f64 {
-    points.iter().flatten().fold(0.0, |largest, x| x.abs().max(largest))
+    // Eight at a time: one running maximum would wait for itself.
+    let (eights, rest) = points.as_flattened().as_chunks::<8>();
+    let larger = |found: f64, x: &f64| if x.abs() > found { x.abs() } else { found };
+    let lanes =
+        eights.iter().fold([0.0; 8], |found: [f64; 8], eight| std::array::from_fn(|i| larger(found[i], &eight[i])));
+    lanes.iter().chain(rest).fold(0.0, larger)
 }
 
 /// Sets a coordinate too small to matter beside `largest` to zero, and -0 to 0.

@@ -6,6 +6,7 @@ use super::periodic::{Cell, PeriodicDiagram, Row};
 use super::vertices::coincide;
 use crate::error::{Error, Result};
 use crate::graph::Point;
+use crate::parallel;
 use crate::sets::DisjointSets;
 
 type Shift = [i8; 2];
@@ -81,24 +82,37 @@ impl Cover {
     ///
     /// # Errors
     /// [`Error::Internal`] when the halo was too narrow, which its certificate rules out.
-    pub(super) fn restrict(&self, rows: &[Row], cell: &Cell) -> Result<PeriodicDiagram> {
-        let kept = Kept::of(self);
+    pub(super) fn restrict(mut self, rows: &[Row], cell: &Cell) -> Result<PeriodicDiagram> {
+        let kept = Kept::of(&self);
+        let vertices = self.vertices(&kept, cell)?;
         let mut torus = PeriodicDiagram::default();
-        let mut ends_of = Vec::new();
-        for (k, &ends) in self.topology.edges.iter().enumerate() {
+        // What is kept moves down in the memory that it is in: fresh memory costs more than all that is done here.
+        let mut edges = std::mem::take(&mut self.topology.edges);
+        let mut dual_edges = std::mem::take(&mut self.topology.dual_edges);
+        let mut count = 0;
+        torus.shifts.reserve_exact(edges.len());
+        torus.dual_shifts.reserve_exact(edges.len());
+        for k in 0..edges.len() {
+            let (ends, sides) = (edges[k], dual_edges[k]);
             if self.is_home(ends[self.lowest(ends)]) {
-                let sides = self.topology.dual_edges[k];
-                torus.diagram.edges.push(ends.map(|i| self.site[i as usize]));
-                torus.diagram.dual_edges.push([kept.number(self, sides[0])?, kept.number(self, sides[1])?]);
+                let dual = [kept.number(&self, sides[0])?, kept.number(&self, sides[1])?];
+                let turns = [0, 1].map(|i| self.turns(sides[i], vertices[dual[i] as usize], cell.period));
                 torus.shifts.push(minus(self.shift[ends[1] as usize], self.shift[ends[0] as usize]));
-                ends_of.push((sides, ends[0]));
+                torus.dual_shifts.push(minus(turns[1], turns[0]));
+                edges[count] = ends.map(|i| self.site[i as usize]);
+                dual_edges[count] = dual;
+                count += 1;
             }
         }
-        torus.diagram.triangles =
-            kept.rows.iter().map(|&t| self.topology.triangles[t as usize].map(|i| self.site[i as usize])).collect();
-        let vertices = self.vertices(&kept, &torus.diagram.dual_edges, &ends_of, cell);
-        torus.dual_shifts = self.dual_shifts(&vertices, &torus.diagram.dual_edges, &ends_of, cell.period);
-        place(&mut torus.diagram, vertices, rows, &self.site_of, cell);
+        edges.truncate(count);
+        dual_edges.truncate(count);
+        let mut triangles = std::mem::take(&mut self.topology.triangles);
+        for (number, &t) in kept.rows.iter().enumerate() {
+            triangles[number] = triangles[t as usize].map(|i| self.site[i as usize]);
+        }
+        triangles.truncate(kept.rows.len());
+        torus.diagram = Diagram { triangles, edges, dual_edges, ..Diagram::default() };
+        place(&mut torus.diagram, vertices, rows, self.site_of, cell);
         orient(&mut torus);
         let Diagram { sites, triangles, edges, .. } = &torus.diagram;
         let whole = sites.len() + triangles.len() == edges.len();
@@ -106,41 +120,32 @@ impl Cover {
     }
 
     /// Circumcentres moved into the cell. Coincident ones of neighbours are equal.
-    fn vertices(&self, kept: &Kept, dual_edges: &[[i32; 2]], planar: &[([i32; 2], i32)], cell: &Cell) -> Vec<Point> {
+    fn vertices(&self, kept: &Kept, cell: &Cell) -> Result<Vec<Point>> {
         let wrap = |c: f64, side: f64| (c - (c / side).floor() * side).clamp(0.0, side.next_down());
         let moved = |c: Point| [wrap(c[0], cell.period[0]), wrap(c[1], cell.period[1])];
         let mut vertices: Vec<Point> = kept.rows.iter().map(|&t| moved(self.centres[t as usize])).collect();
-        let mut sets: Option<DisjointSets> = None;
-        for (dual, &([right, left], end)) in dual_edges.iter().zip(planar) {
-            if coincide(self.centres[right as usize], self.centres[left as usize], self.at[end as usize]) {
-                let sets = sets.get_or_insert_with(|| DisjointSets::new(vertices.len()));
+        let Topology { edges, dual_edges, .. } = &self.topology;
+        let coincident = |k: usize| match dual_edges[k] {
+            [-1, _] | [_, -1] => false,
+            [r, s] => coincide(self.centres[r as usize], self.centres[s as usize], self.at[edges[k][0] as usize]),
+        };
+        if let Some(first) = parallel::first(edges.len(), coincident) {
+            let mut sets = DisjointSets::new(vertices.len());
+            for k in (first..edges.len()).filter(|&k| coincident(k) && self.is_home(edges[k][self.lowest(edges[k])])) {
+                let dual = [kept.number(self, dual_edges[k][0])?, kept.number(self, dual_edges[k][1])?];
                 sets.unite(dual[0] as usize, dual[1] as usize);
             }
-        }
-        if let Some(mut sets) = sets {
             for t in 0..vertices.len() {
                 vertices[t] = vertices[sets.lowest(t)];
             }
         }
-        vertices
+        Ok(vertices)
     }
 
-    /// Periods between the vertices at the two ends of each dual edge, as it lies in the plane.
-    fn dual_shifts(
-        &self,
-        vertices: &[Point],
-        dual_edges: &[[i32; 2]],
-        planar: &[([i32; 2], i32)],
-        period: Point,
-    ) -> Vec<Shift> {
-        let turns = |t: i32, vertex: i32| {
-            let (c, v) = (self.centres[t as usize], vertices[vertex as usize]);
-            [0, 1].map(|i| ((c[i] - v[i]) / period[i]).round() as i8)
-        };
-        let shift = |(dual, (sides, _)): (&[i32; 2], &([i32; 2], i32))| {
-            minus(turns(sides[1], dual[1]), turns(sides[0], dual[0]))
-        };
-        dual_edges.iter().zip(planar).map(shift).collect()
+    /// Periods between the centre of a triangle as it lies in the plane and its vertex.
+    fn turns(&self, t: i32, vertex: Point, period: Point) -> Shift {
+        let centre = self.centres[t as usize];
+        [0, 1].map(|i| ((centre[i] - vertex[i]) / period[i]).round() as i8)
     }
 }
 
@@ -149,8 +154,9 @@ fn minus(a: Shift, b: Shift) -> Shift {
 }
 
 /// Positions in the user's units.
-fn place(diagram: &mut Diagram, vertices: Vec<Point>, rows: &[Row], site_of: &[i32], cell: &Cell) {
-    diagram.site_of = site_of[..rows.len()].to_vec();
+fn place(diagram: &mut Diagram, vertices: Vec<Point>, rows: &[Row], mut site_of: Vec<i32>, cell: &Cell) {
+    site_of.truncate(rows.len());
+    diagram.site_of = site_of;
     let count = diagram.site_of.iter().max().map_or(0, |&last| last as usize + 1);
     diagram.sites = vec![[0.0; 2]; count];
     // Backward, so that the first row of a site has the last word.
@@ -188,7 +194,8 @@ struct Kept {
 
 impl Kept {
     fn of(cover: &Cover) -> Self {
-        let mut kept = Self { rows: Vec::new(), number: Vec::new(), by_name: Vec::new() };
+        let number = Vec::with_capacity(cover.topology.triangles.len());
+        let mut kept = Self { rows: Vec::new(), number, by_name: Vec::new() };
         for (t, &corners) in cover.topology.triangles.iter().enumerate() {
             let is_kept = cover.is_home(corners[cover.lowest(corners)]);
             kept.number.push(if is_kept { kept.rows.len() as i32 } else { -1 });

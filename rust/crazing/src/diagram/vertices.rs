@@ -47,14 +47,16 @@ pub(super) fn coincide(a: Point, b: Point, site: Point) -> bool {
 
 /// For every triangle the lowest one that shares its Voronoi vertex.
 pub fn representatives(view: DiagramView<'_>) -> Vec<i32> {
-    let one = |&&[a, b]: &&[i32; 2]| a != -1 && b != -1 && view.vertices[a as usize] == view.vertices[b as usize];
-    let mut coincident = view.dual_edges.iter().filter(one).peekable();
-    if coincident.peek().is_none() {
-        return (0..view.triangles.len() as i32).collect();
-    }
+    shared(view).unwrap_or_else(|| (0..view.triangles.len() as i32).collect())
+}
+
+/// The same, or None where no two triangles share a vertex.
+pub(crate) fn shared(view: DiagramView<'_>) -> Option<Vec<i32>> {
+    let one = |[a, b]: [i32; 2]| a != -1 && b != -1 && view.vertices[a as usize] == view.vertices[b as usize];
+    let first = parallel::first(view.dual_edges.len(), |k| one(view.dual_edges[k]))?;
     let mut sets = DisjointSets::new(view.triangles.len());
-    for &[right, left] in coincident {
+    for &[right, left] in view.dual_edges[first..].iter().filter(|&&dual| one(dual)) {
         sets.unite(right as usize, left as usize);
     }
-    (0..view.triangles.len()).map(|triangle| sets.lowest(triangle) as i32).collect()
+    Some((0..view.triangles.len()).map(|triangle| sets.lowest(triangle) as i32).collect())
 }

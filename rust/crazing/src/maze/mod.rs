@@ -96,6 +96,19 @@ pub fn carve(
     Ok(Maze { open, passages, start: if cells == 0 { -1 } else { start as i32 } })
 }
 
+/// A cell with a door, each as likely as the other; None when there is none.
+pub fn cell_with_door(doors: Doors<'_>, key: Key) -> Option<usize> {
+    let mut with_door = vec![false; doors.cells];
+    for sides in
+        doors.sides.iter().zip(doors.door).filter(|(sides, door)| **door && !sides.contains(&-1)).map(|row| row.0)
+    {
+        sides.iter().for_each(|&cell| with_door[cell as usize] = true);
+    }
+    let count = with_door.iter().filter(|&&with| with).count();
+    let drawn = (u128::from(key[0]) * count as u128 >> 64) as usize;
+    (0..doors.cells).filter(|&cell| with_door[cell]).nth(drawn)
+}
+
 fn grow(tree: Tree, graph: Neighbours, start: usize, rng: Rng, watch: Watch<'_>) -> Result<Vec<Passage>> {
     let Some(&start) = graph.rank_of.get(start) else { return Ok(Vec::new()) };
     match tree {

@@ -1,5 +1,6 @@
 //! The cotangent of the angle under which a point sees a segment, and exact comparison of two.
 
+use super::expansion::Expansion;
 use super::{FILTER, apex, exact_apex};
 use crate::graph::Point;
 
@@ -57,4 +58,18 @@ impl Cotangent {
         let above = dot_a.times(&cross_b).minus(&dot_b.times(&cross_a)).estimate();
         above / (cross_a.estimate() * cross_b.estimate()) < -slack
     }
+}
+
+/// Whether `v` is inside the circle through `p` and `q` whose centre is `tau` half lengths of `pq` to the left of their
+/// middle, and by more than a tie: the cotangent of the angle `p v q` is beyond `tau` by more than `slack`. Exact.
+#[inline]
+pub fn in_pencil(p: Point, q: Point, v: Point, tau: f64, slack: f64) -> bool {
+    let ([dot, cross], [size_dot, size_cross]) = apex(p, q, v);
+    let value = dot - tau * cross + slack * cross.abs();
+    if value.abs() > FILTER * (size_dot + (tau.abs() + slack) * size_cross) {
+        return value < 0.0;
+    }
+    let (dot, cross) = exact_apex(p, q, v);
+    let tau = Expansion::difference(tau, slack * cross.sign());
+    dot.minus(&tau.times(&cross)).sign() < 0.0
 }

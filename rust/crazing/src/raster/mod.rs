@@ -7,7 +7,6 @@
 
 mod blend;
 mod clip;
-mod crew;
 mod frame;
 mod spans;
 mod taper;
@@ -16,12 +15,16 @@ mod tile;
 pub use blend::Colors;
 pub use frame::Frame;
 
+use crate::crew;
 use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};
 use crate::watch::Watch;
 use spans::{Span, Spans};
 use taper::Taper;
 use tile::{TILE, Tile};
+
+/// Pixels and edges below which starting a thread costs more than it saves.
+const SMALL: (usize, usize) = (1 << 17, 1 << 9);
 
 /// Edges with a width at both ends, borrowed from whoever owns them.
 #[derive(Debug, Clone, Copy)]
@@ -69,7 +72,10 @@ pub fn render(
     let rows = Spans::new(tapers.iter().enumerate().filter_map(|(id, taper)| row_span(id, taper, frame)));
     let table = style.colors.table();
     let scene = Scene { tapers: &tapers, rows: &rows, width: frame.width, table: &table };
-    crew::paint(&scene, out, crew::size(threads, frame, tapers.len()), watch)
+    let small = frame.height * frame.width <= SMALL.0 && tapers.len() <= SMALL.1;
+    let threads = if small { 1 } else { crew::size(threads, frame.height.div_ceil(TILE)) };
+    let bands = out.chunks_mut(TILE * frame.width * 4).enumerate();
+    crew::share(bands, threads, watch, Tile::new, |tile, (row, pixels), poll| scene.band(row, pixels, tile, poll))
 }
 
 /// What every thread reads.

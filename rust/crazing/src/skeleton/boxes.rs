@@ -1,5 +1,6 @@
 //! A tree of bounding boxes over points: is some point of a disc of a given kind?
 
+use super::disc::Disc;
 use crate::graph::Point;
 
 /// Points a leaf and boxes a box.
@@ -8,19 +9,11 @@ const FAN: usize = 16;
 /// xmin, ymin, xmax, ymax.
 type Box = [f64; 4];
 
-/// A disc, its radius rounded up.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Disc {
-    pub(super) centre: Point,
-    pub(super) square_radius: f64,
-}
-
-impl Disc {
-    fn meets(&self, b: &Box) -> bool {
-        let [x, y] = self.centre;
-        let (dx, dy) = ((b[0] - x).max(x - b[2]).max(0.0), (b[1] - y).max(y - b[3]).max(0.0));
-        dx * dx + dy * dy <= self.square_radius
-    }
+/// Whether a disc and a box have a point in common.
+fn meets(disc: Disc, b: &Box) -> bool {
+    let [x, y] = disc.centre;
+    let (dx, dy) = ((b[0] - x).max(x - b[2]).max(0.0), (b[1] - y).max(y - b[3]).max(0.0));
+    dx * dx + dy * dy <= disc.square_radius
 }
 
 /// Points in an order in which neighbours are mostly near each other, boxed sixteen by sixteen, level by level.
@@ -50,7 +43,7 @@ impl Boxes {
             todo.push((top, 0));
         }
         while let Some((level, index)) = todo.pop() {
-            if !disc.meets(&self.levels[level][index]) {
+            if !meets(disc, &self.levels[level][index]) {
                 continue;
             }
             let children = FAN * index..FAN * (index + 1);

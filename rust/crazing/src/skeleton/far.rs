@@ -4,7 +4,7 @@ use crate::graph::Point;
 
 /// Scaled vertices beyond this are moved in to it along their direction: for circles of any smaller radius a vertex
 /// that far is a half-plane all the same.
-const FAR: f64 = 1e60;
+pub(super) const FAR: f64 = 1e60;
 /// Scaled vertex coordinates below this are zero: they are rounded far coarser than that, and the triangulation does
 /// not hold smaller ones.
 const SMALL: f64 = 1e-42;

@@ -1,21 +1,17 @@
 //! Points inside a disc, found by walking from Voronoi cell to Voronoi cell.
 //!
 //! The cells that meet a disc hang together through the Voronoi edges that meet it, and every vertex inside belongs to
-//! one of them, so nothing but the diagram itself is needed. Nearly all discs meet two or three cells.
+//! one of them, so nothing but the diagram itself is needed. Nearly all discs meet two to four cells.
 
 use std::borrow::Cow;
+use std::ops::ControlFlow::{self, Break, Continue};
 
-use super::boxes::Disc;
-use super::far::near;
+use super::disc::{Disc, Place};
+use super::far::{FAR, near};
+use super::links::{Links, NONE, after, before, side};
 use crate::diagram::DiagramView;
 use crate::diagram::scale::{Scale, largest};
 use crate::graph::Point;
-use crate::incidence::Incidence;
-
-/// Cells a walk may enter, and edges it may look at: a cell with very many neighbours, asked about by each of them,
-/// would make the whole quadratic.
-const MOST_CELLS: usize = 24;
-const MOST_EDGES: usize = 160;
 
 /// What a walk found.
 pub(super) enum Found {
@@ -25,91 +21,203 @@ pub(super) enum Found {
     TooMany,
 }
 
-/// Sites and Voronoi vertices near 1, and the edges at every site.
+/// Sites and Voronoi vertices near 1, and the links between triangles.
 pub(super) struct Cells<'a> {
     pub(super) view: DiagramView<'a>,
     pub(super) sites: Cow<'a, [Point]>,
     pub(super) vertices: Cow<'a, [Point]>,
-    /// The edges at every site.
-    incident: Incidence,
+    links: Links,
+    /// Whether no vertex had to be moved: only then are cells convex.
+    convex: bool,
 }
 
 impl<'a> Cells<'a> {
     pub(super) fn of(view: DiagramView<'a>) -> Self {
         let scale = Scale::of(largest(view.sites));
-        let (sites, vertices) = if scale.is_one() && largest(view.vertices) < 1e30 {
+        let farthest = largest(view.vertices);
+        let (sites, vertices) = if scale.is_one() && farthest < 1e30 {
             (Cow::Borrowed(view.sites), Cow::Borrowed(view.vertices))
         } else {
-            let close = |&v: &Point| near(scale.down(v));
-            (view.sites.iter().map(|&p| scale.down(p)).collect(), view.vertices.iter().map(close).collect())
+            (scale.all_down(view.sites), view.vertices.iter().map(|&v| near(scale.down(v))).collect())
         };
-        let incident = Incidence::of(view.sites.len(), view.edges);
-        Self { view, sites, vertices, incident }
+        let convex = farthest < f64::MAX && scale.down([farthest; 2])[0] <= FAR;
+        Self { view, sites, vertices, links: Links::of(view), convex }
     }
 
     /// The first vertex or site met for which `inside` holds, on a walk through the cells that `disc` meets; the cells
-    /// of the two sites of edge `k` must be among them.
-    pub(super) fn find(&self, k: usize, disc: Disc, inside: impl Fn(Point) -> bool) -> Found {
-        let mut cells = [-1; MOST_CELLS];
-        cells[..2].copy_from_slice(&self.view.edges[k]);
-        let (mut count, mut next, mut looked) = (2, 0, 0);
-        while next < count {
-            let cell = cells[next];
+    /// of the two sites of edge `k` must be among them. Neither these sites nor the ends of its dual are looked at.
+    ///
+    /// Gives up after `MOST` cells, or eight times as many vertices: a cell with very many neighbours, asked about by
+    /// each of them, would make the whole quadratic. Gives up at once where vertices had to be moved.
+    pub(super) fn find<const MOST: usize>(&self, k: usize, disc: Disc, inside: impl Fn(Point) -> bool) -> Found {
+        if !self.convex {
+            return Found::TooMany;
+        }
+        let ([from, to], [right, left]) = (self.view.edges[k], self.view.dual_edges[k]);
+        let Some(first) = side(self.view, left, from).or_else(|| side(self.view, right, to)) else {
+            return Found::Nothing;
+        };
+        let mut walk = Walk::<MOST, _> {
+            cells: self,
+            disc,
+            inside,
+            own: [right, left],
+            entered: [(0, 0); MOST],
+            count: 2,
+            left: 8 * MOST,
+        };
+        // Where there is no triangle across, the other end begins the next side.
+        let second = Some(self.links.across(first)).filter(|&side| side != NONE).unwrap_or(after(first));
+        walk.entered[0] = (self.origin(first), first);
+        walk.entered[1] = (self.origin(second), second);
+        let mut next = 0;
+        while next < walk.count {
+            if let Break(found) = walk.ring(walk.entered[next].1) {
+                return found;
+            }
             next += 1;
-            if inside(self.sites[cell as usize]) {
-                return Found::Inside(self.sites[cell as usize]);
-            }
-            let row = self.incident.at(cell as usize);
-            looked += row.len();
-            if looked > MOST_EDGES {
-                return Found::TooMany;
-            }
-            for &edge in row {
-                let (other, ahead) = self.turn(edge as usize, cell);
-                if ahead != -1 && inside(self.vertices[ahead as usize]) {
-                    return Found::Inside(self.vertices[ahead as usize]);
-                }
-                if self.meets(edge as usize, &disc) && !cells[..count].contains(&other) {
-                    if count == MOST_CELLS {
-                        return Found::TooMany;
-                    }
-                    cells[count] = other;
-                    count += 1;
-                }
-            }
         }
         Found::Nothing
     }
 
-    /// The cell across an edge, and the triangle on the left of the way there: each triangle once about a cell.
-    fn turn(&self, edge: usize, cell: i32) -> (i32, i32) {
-        let ([from, to], [right, left]) = (self.view.edges[edge], self.view.dual_edges[edge]);
-        if from == cell { (to, left) } else { (from, right) }
+    /// The site that a side begins at.
+    #[inline]
+    fn origin(&self, side: u32) -> i32 {
+        self.view.triangles.as_flattened()[side as usize]
     }
 
-    /// Whether the dual edge, a segment or a ray, comes into the disc.
-    fn meets(&self, edge: usize, disc: &Disc) -> bool {
-        let [right, left] = self.view.dual_edges[edge];
-        if right == -1 {
-            // Not in a diagram of ours: look rather than miss.
-            return true;
+    #[inline]
+    fn vertex(&self, side: u32) -> Point {
+        self.vertices[side as usize / 3]
+    }
+}
+
+struct Walk<'w, const MOST: usize, F> {
+    cells: &'w Cells<'w>,
+    disc: Disc,
+    inside: F,
+    /// The two triangles at the edge.
+    own: [i32; 2],
+    /// Sites of the cells that the disc meets, each with a side that begins there.
+    entered: [(i32, u32); MOST],
+    count: usize,
+    /// Vertices that may still be looked at.
+    left: usize,
+}
+
+impl<const MOST: usize, F: Fn(Point) -> bool> Walk<'_, MOST, F> {
+    /// About the cell of the site that a side begins at, entered through the dual of that side: from both ends of it
+    /// until what lies between the two is clear of the disc, as a cell is convex.
+    fn ring(&mut self, start: u32) -> ControlFlow<Found> {
+        let links = &self.cells.links;
+        let beside = links.across(start);
+        if beside == NONE || links.across(before(start)) == NONE {
+            return self.open(start);
         }
-        let from = self.vertices[right as usize];
-        let step = if left == -1 {
-            let [p, q] = self.view.edges[edge].map(|site| self.sites[site as usize]);
-            [p[1] - q[1], q[0] - p[0]]
-        } else {
-            let to = self.vertices[left as usize];
-            [to[0] - from[0], to[1] - from[1]]
-        };
-        let most = if left == -1 { f64::INFINITY } else { 1.0 };
-        let (x, y) = (disc.centre[0] - from[0], disc.centre[1] - from[1]);
-        let square = step[0] * step[0] + step[1] * step[1];
-        let along = ((x * step[0] + y * step[1]) / square.max(f64::MIN_POSITIVE)).clamp(0.0, most);
-        let (dx, dy) = (x - along * step[0], y - along * step[1]);
-        // Far ends are rounded coarsely; a distance lost altogether is looked at.
-        let slack = 1e-9 * (x * x + y * y);
-        let distance = dx * dx + dy * dy;
-        distance <= disc.square_radius + slack || distance.is_nan()
+        let (mut left, mut right) = (start, after(beside));
+        let [mut from, mut to] = [left, right].map(|side| self.disc.place(self.cells.vertex(side)));
+        loop {
+            let counterclockwise = from.square <= to.square;
+            let across = links.across(if counterclockwise { before(left) } else { right });
+            if across == NONE {
+                return if counterclockwise {
+                    self.counterclockwise(from, left)?;
+                    self.clockwise(to, right)
+                } else {
+                    self.clockwise(to, right)?;
+                    self.counterclockwise(from, left)
+                };
+            }
+            if counterclockwise {
+                let back = before(left);
+                if across == right {
+                    return if self.disc.meets_segment(from, to) { self.enter(back) } else { Continue(()) };
+                }
+                from = self.step(from, across, back)?;
+                left = across;
+            } else {
+                right = after(across);
+                if right == left {
+                    return if self.disc.meets_segment(from, to) { self.enter(across) } else { Continue(()) };
+                }
+                to = self.step(to, right, across)?;
+            }
+            if self.disc.is_clear_of(from, to) {
+                return Continue(());
+            }
+        }
+    }
+
+    /// About a cell of the hull, both ways from a triangle.
+    fn open(&mut self, start: u32) -> ControlFlow<Found> {
+        let at = self.disc.place(self.cells.vertex(start));
+        self.counterclockwise(at, start)?;
+        self.clockwise(at, start)
+    }
+
+    fn counterclockwise(&mut self, mut at: Place, mut side: u32) -> ControlFlow<Found> {
+        loop {
+            let back = before(side);
+            side = self.cells.links.across(back);
+            if side == NONE {
+                return self.ray(at, back, back);
+            }
+            at = self.step(at, side, back)?;
+        }
+    }
+
+    fn clockwise(&mut self, mut at: Place, mut side: u32) -> ControlFlow<Found> {
+        loop {
+            let across = self.cells.links.across(side);
+            if across == NONE {
+                return self.ray(at, side, after(side));
+            }
+            side = after(across);
+            at = self.step(at, side, across)?;
+        }
+    }
+
+    /// From one vertex of the cell to the one of the triangle of `side`; `across` begins at the site beyond.
+    #[inline]
+    fn step(&mut self, at: Place, side: u32, across: u32) -> ControlFlow<Found, Place> {
+        let triangle = side / 3;
+        let vertex = self.cells.vertices[triangle as usize];
+        let next = self.disc.place(vertex);
+        if self.disc.holds(next) && !self.own.contains(&(triangle as i32)) && (self.inside)(vertex) {
+            return Break(Found::Inside(vertex));
+        }
+        self.left -= 1;
+        if self.left == 0 {
+            return Break(Found::TooMany);
+        }
+        if self.disc.meets_segment(at, next) {
+            self.enter(across)?;
+        }
+        Continue(next)
+    }
+
+    /// The dual of a side of the hull, a ray to the right of it; `across` begins at the site beyond.
+    #[cold]
+    fn ray(&mut self, at: Place, hull: u32, across: u32) -> ControlFlow<Found> {
+        let [p, q] = [hull, after(hull)].map(|side| self.cells.sites[self.cells.origin(side) as usize]);
+        if self.disc.meets_ray(at, [q[1] - p[1], p[0] - q[0]]) { self.enter(across) } else { Continue(()) }
+    }
+
+    /// Makes a note of the cell of the site that a side begins at.
+    fn enter(&mut self, side: u32) -> ControlFlow<Found> {
+        let site = self.cells.origin(side);
+        if self.entered[..self.count].iter().any(|&(known, _)| known == site) {
+            return Continue(());
+        }
+        let position = self.cells.sites[site as usize];
+        if (self.inside)(position) {
+            return Break(Found::Inside(position));
+        }
+        if self.count == MOST {
+            return Break(Found::TooMany);
+        }
+        self.entered[self.count] = (site, side);
+        self.count += 1;
+        Continue(())
     }
 }

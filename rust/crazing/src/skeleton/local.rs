@@ -1,20 +1,36 @@
 //! Two-pass crust and edge filter without the second triangulation.
 //!
 //! An edge of the Delaunay triangulation of sites and Voronoi vertices is one with a circle through its ends that holds
-//! none of them: a question about one pencil of circles, independent of all others. Nearly always the smallest circle
-//! that is allowed answers it with one look at the neighbourhood.
+//! none of them: a question about one pencil of circles, independent of all others. Nearly always the first circle that
+//! suggests itself is empty, and a walk past some four vertices shows it; only otherwise the interval of circles is
+//! narrowed, point by point.
+//!
+//! # What is exact
+//! The Voronoi vertices are taken as they are in the diagram: rounded to doubles, coincident neighbours made one. For
+//! these points, as if they had been given, all is exact: whether one lies inside a circle is the sign of a polynomial,
+//! and so is which of two cuts lies farther (a filter with a bound on its error, then expansions). An edge is dropped
+//! when two cuts exclude each other, and kept when a circle is found that holds nothing. Between the two there is the
+//! tie: an interval shorter than 1e-9 half lengths of the edge, in which rounded vertices mean nothing, counts as kept.
+//! The one-step test, which is exact for the samples themselves, has the first word: no other edge is asked about.
 
-use super::boxes::{Boxes, Disc};
+use super::boxes::Boxes;
+use super::disc::Disc;
 use super::flood::{Cells, Found};
 use super::one_step::{one_step, opposite};
 use super::pencil::Pencil;
-use crate::diagram::{DiagramView, curve_order, representatives};
+use crate::diagram::{DiagramView, curve_order};
 use crate::error::Result;
 use crate::graph::Point;
 use crate::parallel;
 
 /// Cuts before a pencil is judged by what is left: each at least halves the interval, so that nothing but a tie is.
 const CUTS: usize = 64;
+/// Cells that a walk may enter, for all edges, for few and for very few.
+const NEAR: usize = 24;
+const LONG: usize = 128;
+const LONGEST: usize = 2048;
+/// Searches that are not worth sorting for.
+const FEW: usize = 100;
 
 /// Masks over the edges of a diagram.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -37,7 +53,8 @@ pub struct Local {
 /// Amenta, Bern, Eppstein: The Crust and the Beta-Skeleton (1998); thesis, section 4.1.
 pub fn two_pass(view: DiagramView<'_>) -> Result<Vec<bool>> {
     let one_step = one_step(view)?;
-    Ok(crust(&Cells::of(view), &one_step))
+    let cells = Cells::of(view);
+    Ok(decide(&cells, one_step.len(), |k| if one_step[k] { Some(Edge::crust(&cells, k)) } else { None }))
 }
 
 /// Two-pass crust and edge-filtered axis at once.
@@ -53,66 +70,133 @@ pub fn two_pass(view: DiagramView<'_>) -> Result<Vec<bool>> {
 pub fn edge_filter(view: DiagramView<'_>) -> Result<Local> {
     let one_step = one_step(view)?;
     let cells = Cells::of(view);
-    Ok(Local { crust: crust(&cells, &one_step), axis: axis(&cells, &one_step) })
+    let edge = |k: usize| if one_step[k] { Some(Edge::crust(&cells, k)) } else { Edge::axis(&cells, k) };
+    let kept = decide(&cells, one_step.len(), edge);
+    let (crust, axis) = kept.iter().zip(&one_step).map(|(&kept, &one)| (kept & one, kept & !one)).unzip();
+    Ok(Local { crust, axis })
 }
 
-/// Whether edges are crust: by walks, and by search where a walk gives up.
-fn crust(cells: &Cells<'_>, one_step: &[bool]) -> Vec<bool> {
-    decide(cells, one_step.len(), |k| if one_step[k] { Some(crust_pencil(cells, k)) } else { None })
+/// An edge that is in the one-step crust, or a dual edge that is not.
+struct Edge {
+    k: usize,
+    ends: [Point; 2],
+    /// The ends of the other one, twice the same where it has one end only.
+    across: [Point; 2],
+    is_crust: bool,
 }
 
-/// Whether dual edges are axis.
-fn axis(cells: &Cells<'_>, one_step: &[bool]) -> Vec<bool> {
-    decide(cells, one_step.len(), |k| if one_step[k] { None } else { axis_pencil(cells, k) })
-}
-
-/// The circles through the ends of an edge that are empty of sites, which are those between the circumcircles of its
-/// triangles, and of its own two Voronoi vertices.
-fn crust_pencil(cells: &Cells<'_>, k: usize) -> Pencil {
-    let [p, q] = cells.view.edges[k];
-    let mut pencil = Pencil::new(cells.sites[p as usize], cells.sites[q as usize]);
-    for t in cells.view.dual_edges[k].into_iter().filter(|&t| t != -1) {
-        pencil.cut(cells.sites[opposite(cells.view.triangles[t as usize], p, q) as usize]);
-        pencil.cut(cells.vertices[t as usize]);
+impl Edge {
+    fn crust(cells: &Cells<'_>, k: usize) -> Self {
+        let dual = cells.view.dual_edges[k];
+        let across = dual.map(|t| cells.vertices[if t == -1 { dual[0].max(dual[1]) } else { t } as usize]);
+        Self { k, ends: cells.view.edges[k].map(|site| cells.sites[site as usize]), across, is_crust: true }
     }
-    pencil
-}
 
-/// The circles through the ends of a dual edge that do not hold its own two sites; None without two different ends.
-fn axis_pencil(cells: &Cells<'_>, k: usize) -> Option<Pencil> {
-    let [right, left] = cells.view.dual_edges[k];
-    if right == -1 || left == -1 {
-        return None;
+    /// None without two different ends.
+    fn axis(cells: &Cells<'_>, k: usize) -> Option<Self> {
+        let dual = cells.view.dual_edges[k];
+        if dual.contains(&-1) {
+            return None;
+        }
+        let ends = dual.map(|t| cells.vertices[t as usize]);
+        let across = cells.view.edges[k].map(|site| cells.sites[site as usize]);
+        (ends[0] != ends[1]).then_some(Self { k, ends, across, is_crust: false })
     }
-    let [from, to] = [right, left].map(|t| cells.vertices[t as usize]);
-    let mut pencil = Pencil::new(from, to);
-    cells.view.edges[k].into_iter().for_each(|site| pencil.cut(cells.sites[site as usize]));
-    (from != to).then_some(pencil)
-}
 
-/// Whether the pencil of each row, where it has one, leaves a circle.
-fn decide(cells: &Cells<'_>, rows: usize, pencil: impl Fn(usize) -> Option<Pencil> + Sync) -> Vec<bool> {
-    let walked = parallel::map(rows, |k| match pencil(k) {
-        None => Some(false),
-        // Both cells of the edge meet every circle of either pencil: the dual edge is a chord of it, or goes through
-        // its centre.
-        Some(pencil) => leaves_some(pencil, |disc, inside| match cells.find(k, disc, inside) {
+    /// What is inside one circle that suggests itself.
+    ///
+    /// Both cells of the edge meet every circle of either pencil: the dual edge is a chord of it, or goes through its
+    /// centre. No site can be in the circle of a crust edge: it is between the circumcircles of the triangles.
+    #[inline]
+    fn glance(&self, cells: &Cells<'_>) -> Found {
+        let pencil = Pencil::new(self.ends[0], self.ends[1]);
+        let tau = self.middle();
+        let inside = |v: Point| pencil.holds(tau, v);
+        match self.across.into_iter().find(|&v| inside(v)) {
+            Some(v) => Found::Inside(v),
+            None => cells.find::<NEAR>(self.k, pencil.disc(tau), inside),
+        }
+    }
+
+    /// The smallest circle of all, if it does not hold the ends across, else the one in the middle of what they leave.
+    /// A dual edge has only the first: its sites are mirror images.
+    #[inline]
+    fn middle(&self) -> f64 {
+        let [p, q] = self.ends;
+        let apex = |v: Point| {
+            let (a, b) = ([p[0] - v[0], p[1] - v[1]], [q[0] - v[0], q[1] - v[1]]);
+            (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0])
+        };
+        let [(dot_low, cross_low), (dot_high, cross_high)] = self.across.map(apex);
+        let both_sides = self.is_crust && cross_low < 0.0 && cross_high > 0.0;
+        if both_sides && dot_low.min(dot_high) < 0.0 {
+            0.5 * (dot_low / cross_low + dot_high / cross_high)
+        } else {
+            0.0
+        }
+    }
+
+    /// The circles that are left by what is next to the edge. Of a crust edge these are the ones between the
+    /// circumcircles of its triangles, and so empty of sites.
+    fn pencil(&self, cells: &Cells<'_>) -> Pencil {
+        let mut pencil = Pencil::new(self.ends[0], self.ends[1]);
+        self.across.into_iter().for_each(|v| pencil.cut(v));
+        if self.is_crust {
+            let [p, q] = cells.view.edges[self.k];
+            for t in cells.view.dual_edges[self.k].into_iter().filter(|&t| t != -1) {
+                pencil.cut(cells.sites[opposite(cells.view.triangles[t as usize], p, q) as usize]);
+            }
+        }
+        pencil
+    }
+
+    /// Whether some of the circles that are left is empty, by walks among at most so many cells; None when they are
+    /// more.
+    fn walk<const MOST: usize>(&self, cells: &Cells<'_>, pencil: Pencil) -> Option<bool> {
+        leaves_some(pencil, |disc, inside| match cells.find::<MOST>(self.k, disc, inside) {
             Found::Nothing => Some(None),
             Found::Inside(v) => Some(Some(v)),
             Found::TooMany => None,
-        }),
-    });
-    let hard: Vec<usize> = (0..rows).filter(|&k| walked[k].is_none()).collect();
-    let mut decided: Vec<bool> = walked.into_iter().map(|found| found == Some(true)).collect();
-    if !hard.is_empty() {
-        let places = Places::of(cells);
-        let searched = parallel::map(hard.len(), |i| {
-            let pencil = pencil(hard[i])?;
-            leaves_some(pencil, |disc, inside| Some(places.find(disc, inside)))
-        });
-        for (k, found) in hard.into_iter().zip(searched) {
-            decided[k] = found == Some(true);
+        })
+    }
+
+    /// The first answer: None when the neighbourhood is too large for it.
+    fn decide(&self, cells: &Cells<'_>) -> Option<bool> {
+        match self.glance(cells) {
+            Found::Nothing => Some(true),
+            Found::Inside(v) => {
+                let mut pencil = self.pencil(cells);
+                pencil.cut(v);
+                self.walk::<NEAR>(cells, pencil)
+            }
+            Found::TooMany => None,
         }
+    }
+}
+
+/// Whether the pencil of each row, where it has an edge, leaves a circle: by walks, by longer ones as long as these are
+/// few, and by search.
+fn decide(cells: &Cells<'_>, rows: usize, edge: impl Fn(usize) -> Option<Edge> + Sync) -> Vec<bool> {
+    let first = parallel::map(rows, |k| edge(k).map_or(Some(false), |edge| edge.decide(cells)));
+    let mut hard: Vec<usize> = (0..rows).filter(|&k| first[k].is_none()).collect();
+    let mut decided: Vec<bool> = first.into_iter().map(|kept| kept == Some(true)).collect();
+    let again = |hard: &mut Vec<usize>, decided: &mut [bool], answer: &(dyn Fn(&Edge) -> Option<bool> + Sync)| {
+        let answers = parallel::map_slow(hard.len(), |i| edge(hard[i]).and_then(|edge| answer(&edge)));
+        hard.iter().zip(&answers).for_each(|(&k, &kept)| decided[k] = kept == Some(true));
+        let mut left = answers.iter().map(Option::is_none);
+        hard.retain(|_| left.next() == Some(true));
+    };
+    if hard.len() * LONG <= rows {
+        again(&mut hard, &mut decided, &|edge| edge.walk::<LONG>(cells, edge.pencil(cells)));
+    }
+    if hard.len() * LONGEST <= rows {
+        again(&mut hard, &mut decided, &|edge| edge.walk::<LONGEST>(cells, edge.pencil(cells)));
+    }
+    if !hard.is_empty() {
+        let places = Places::of(cells, hard.len() > FEW);
+        again(&mut hard, &mut decided, &|edge| {
+            leaves_some(edge.pencil(cells), |disc, inside| Some(places.find(disc, inside)))
+        });
     }
     decided
 }
@@ -136,7 +220,7 @@ fn leaves_some(
     Some(!pencil.is_empty())
 }
 
-/// Sites and distinct Voronoi vertices, boxed.
+/// Sites and Voronoi vertices, boxed.
 struct Places {
     /// Vertices among the sites, and those far from all of them: these would spoil the boxes of the others.
     near: Boxes,
@@ -145,16 +229,17 @@ struct Places {
 }
 
 impl Places {
-    fn of(cells: &Cells<'_>) -> Self {
+    /// For many questions the points are put in an order of their own: along a curve, vertices of neighbouring
+    /// triangles lie on both sides of it, far apart.
+    fn of(cells: &Cells<'_>, many: bool) -> Self {
         let [low, high] = frame(&cells.sites);
-        let representative = representatives(cells.view);
-        let distinct = (0..cells.vertices.len()).filter(|&t| representative[t] as usize == t);
         let inside = |v: &Point| (0..2).all(|axis| low[axis] <= v[axis] && v[axis] <= high[axis]);
-        let (near, far): (Vec<Point>, Vec<Point>) = distinct.map(|t| cells.vertices[t]).partition(inside);
-        // In an order of their own: along a curve, vertices of neighbouring triangles lie on both sides of it, far apart.
-        let boxes =
-            |points: &[Point]| Boxes::new(curve_order(points).into_iter().map(|row| points[row as usize]).collect());
-        Self { near: boxes(&near), far: boxes(&far), sites: boxes(&cells.sites) }
+        let (near, far): (Vec<Point>, Vec<Point>) = cells.vertices.iter().partition(|&v| inside(v));
+        let boxes = |points: Vec<Point>| {
+            let sorted = many.then(|| curve_order(&points).into_iter().map(|row| points[row as usize]).collect());
+            Boxes::new(sorted.unwrap_or(points))
+        };
+        Self { near: boxes(near), far: boxes(far), sites: boxes(cells.sites.to_vec()) }
     }
 
     fn find(&self, disc: Disc, wanted: &dyn Fn(Point) -> bool) -> Option<Point> {

@@ -5,10 +5,12 @@ mod branches;
 mod bumps;
 mod cost;
 mod curve;
+mod disc;
 mod far;
 mod flood;
 mod gabriel;
 mod gaps;
+mod links;
 mod local;
 mod longest;
 mod nearest;
@@ -30,12 +32,15 @@ pub use poles::{Variant, poles, poles_axis};
 pub use rings::Rings;
 pub use second::{Second, second};
 
-use crate::diagram::{DiagramView, representatives};
+use crate::diagram::{DiagramView, shared};
 
 /// Dual edges of the rows in `mask` that join two different finite vertices, coincident vertices represented by the
 /// lowest triangle.
 pub fn axis_edges(view: DiagramView<'_>, mask: &[bool]) -> Vec<[i32; 2]> {
-    let representative = representatives(view);
     let kept = view.dual_edges.iter().zip(mask).filter(|(dual, kept)| **kept && !dual.contains(&-1));
-    kept.map(|(dual, _)| dual.map(|t| representative[t as usize])).filter(|[a, b]| a != b).collect()
+    let kept = kept.map(|(dual, _)| *dual);
+    match shared(view) {
+        None => kept.collect(),
+        Some(lowest) => kept.map(|dual| dual.map(|t| lowest[t as usize])).filter(|[a, b]| a != b).collect(),
+    }
 }

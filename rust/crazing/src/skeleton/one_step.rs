@@ -20,21 +20,23 @@ use crate::predicates::{apex_sign, one_step_sign};
 pub fn one_step(view: DiagramView<'_>) -> Result<Vec<bool>> {
     view.check_triangle()?;
     let scale = Scale::of(largest(view.sites));
-    let site = |i: i32| {
-        let p = view.sites[i as usize];
-        if scale.is_one() { p } else { scale.down(p) }
-    };
-    Ok(parallel::map(view.edges.len(), |k| is_crust(view, k, &site)))
+    let sites = scale.all_down(view.sites);
+    Ok(parallel::map(view.edges.len(), |k| is_crust(view, &sites, k)))
 }
 
 #[inline]
-fn is_crust(view: DiagramView<'_>, k: usize, site: &impl Fn(i32) -> Point) -> bool {
-    let [p, q] = view.edges[k];
-    let apex = |triangle: i32| site(opposite(view.triangles[triangle as usize], p, q));
+fn is_crust(view: DiagramView<'_>, sites: &[Point], k: usize) -> bool {
+    let ends = view.edges[k];
+    let [p, q] = ends.map(|site| sites[site as usize]);
+    // What is left of a triangle's corners when the two ends are taken out; arrays of others may leave no site at all.
+    let apex = |t: i32| {
+        let [a, b, c] = view.triangles[t as usize];
+        sites.get((a ^ b ^ c ^ ends[0] ^ ends[1]) as usize).copied().unwrap_or(p)
+    };
     match view.dual_edges[k] {
         [-1, -1] => false,
-        [t, -1] | [-1, t] => apex_sign(site(p), site(q), apex(t)) > 0.0,
-        [right, left] => one_step_sign(site(p), site(q), apex(right), apex(left)) >= 0.0,
+        [t, -1] | [-1, t] => apex_sign(p, q, apex(t)) > 0.0,
+        [right, left] => one_step_sign(p, q, apex(right), apex(left)) >= 0.0,
     }
 }
 

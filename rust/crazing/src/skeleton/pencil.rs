@@ -4,9 +4,9 @@
 //! `v` on the left of `pq` is outside for `tau` up to the cotangent of the angle `p v q`, one on the right from it on.
 //! So each point cuts an interval of `tau` at one end, and some circle is empty when the interval that is left is not.
 
-use super::boxes::Disc;
+use super::disc::Disc;
 use crate::graph::Point;
-use crate::predicates::Cotangent;
+use crate::predicates::{Cotangent, in_pencil};
 
 /// Intervals shorter than this below zero count as a point: ties between rounded vertices, which could as well be
 /// exactly on one circle. `tau` is in half lengths of `pq`, so this has no unit.
@@ -61,20 +61,16 @@ impl Pencil {
         }
     }
 
-    /// The circle at `tau`, a little larger.
+    /// The circle at `tau`.
     pub(super) fn disc(&self, tau: f64) -> Disc {
         let (dx, dy) = (self.q[0] - self.p[0], self.q[1] - self.p[1]);
         let centre = [self.p[0] + 0.5 * (dx - tau * dy), self.p[1] + 0.5 * (dy + tau * dx)];
-        // Rounding of a far centre, squared, is covered by the factor.
-        Disc { centre, square_radius: 0.25 * (dx * dx + dy * dy) * (1.0 + tau * tau) * (1.0 + 1e-12) }
+        Disc::new(centre, 0.25 * (dx * dx + dy * dy) * (1.0 + tau * tau))
     }
 
-    /// Whether `v` is inside the circle at `tau`, ties apart.
+    /// Whether `v` is inside the circle at `tau`, ties apart; exact.
     #[inline]
     pub(super) fn holds(&self, tau: f64, v: Point) -> bool {
-        let (a, b) = ([self.p[0] - v[0], self.p[1] - v[1]], [self.q[0] - v[0], self.q[1] - v[1]]);
-        let dot = a[0] * b[0] + a[1] * b[1];
-        let cross = a[0] * b[1] - a[1] * b[0];
-        dot < tau * cross - TIE * cross.abs()
+        in_pencil(self.p, self.q, v, tau, TIE)
     }
 }

@@ -2,8 +2,8 @@
 
 use super::cost::distance;
 use super::gaps::{self, Bridge, Closed};
-use crate::diagram::DiagramView;
 use crate::diagram::scale::{Scale, largest};
+use crate::diagram::{DiagramView, depths};
 use crate::error::{Error, Result};
 use crate::graph::{Point, Polylines, polylines};
 use crate::incidence::Incidence;
@@ -88,8 +88,8 @@ impl<'a> Rings<'a> {
     /// # Errors
     /// [`Error::Interrupted`].
     pub fn inside(&self, watch: Watch<'_>) -> Result<Vec<bool>> {
-        let inner = flood(self.view, &self.wall, watch)?;
-        let is_inner = |t: i32| t != -1 && inner[t as usize];
+        let depth = depths(self.view, &self.wall, watch)?;
+        let is_inner = |t: i32| t != -1 && depth[t as usize] % 2 == 1;
         let duals = self.view.dual_edges.iter().zip(&self.wall);
         Ok(duals.map(|(dual, wall)| !wall && dual.iter().all(|&t| is_inner(t))).collect())
     }
@@ -142,31 +142,4 @@ fn travelled(line: &Line, sites: &[Point]) -> Vec<f64> {
     }
     along.push(sum);
     along
-}
-
-/// For every triangle whether it is inside: from infinity on, sides change across walls.
-fn flood(view: DiagramView<'_>, wall: &[bool], watch: Watch<'_>) -> Result<Vec<bool>> {
-    let around = Incidence::of(view.triangles.len(), view.dual_edges);
-    let mut inner = vec![false; view.triangles.len()];
-    let mut seen = inner.clone();
-    let mut open: Vec<usize> = Vec::new();
-    let mut enter = |t: i32, side: bool, open: &mut Vec<usize>, inner: &mut [bool]| {
-        if t != -1 && !std::mem::replace(&mut seen[t as usize], true) {
-            inner[t as usize] = side;
-            open.push(t as usize);
-        }
-    };
-    for (dual, &wall) in view.dual_edges.iter().zip(wall).filter(|(dual, _)| dual.contains(&-1)) {
-        dual.iter().for_each(|&t| enter(t, wall, &mut open, &mut inner));
-    }
-    let mut steps = 0;
-    while let Some(t) = open.pop() {
-        watch.poll_at(steps)?;
-        steps += 1;
-        for &k in around.at(t) {
-            let side = inner[t] ^ wall[k as usize];
-            view.dual_edges[k as usize].iter().for_each(|&next| enter(next, side, &mut open, &mut inner));
-        }
-    }
-    Ok(inner)
 }

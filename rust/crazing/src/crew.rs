@@ -1,89 +1,92 @@
-//! The threads that share the rows of tiles.
+//! Threads that share independent pieces of work, such as the bands of a picture.
 //!
 //! The calling thread works too, and is the one that asks the watch: Python tells only its main thread of Ctrl-C.
 //! Threads are made for one call: a pool that outlives it would hang in a forked child.
 
 use std::num::NonZero;
-use std::slice::ChunksMut;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread::{self, Builder, ScopedJoinHandle};
 use std::time::Duration;
 
-use super::Scene;
-use super::frame::Frame;
-use super::tile::{TILE, Tile};
 use crate::error::{Error, Result};
 use crate::watch::Watch;
 
 /// Between two questions to the watch while the caller waits for the others.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// Pixels and edges below which starting a thread costs more than it saves.
-const SMALL: (usize, usize) = (1 << 17, 1 << 9);
+/// What a worker calls now and then; an error means that it must stop.
+pub(crate) type Poll<'a> = &'a dyn Fn() -> Result<()>;
 
-/// How many threads are worth having, the caller's among them; `threads` 0 asks for all cores.
-pub(super) fn size(threads: usize, frame: &Frame, edges: usize) -> usize {
-    if frame.height * frame.width <= SMALL.0 && edges <= SMALL.1 {
-        return 1;
-    }
+/// How many threads are worth having for that many pieces, the caller's among them; `threads` 0 asks for all cores.
+pub(crate) fn size(threads: usize, pieces: usize) -> usize {
     let cores = || thread::available_parallelism().map_or(1, NonZero::get);
     let wanted = if threads == 0 { cores() } else { threads };
-    wanted.min(frame.height.div_ceil(TILE))
+    wanted.min(pieces).max(1)
 }
 
-struct Crew<'a> {
-    scene: &'a Scene<'a>,
-    bands: Mutex<std::iter::Enumerate<ChunksMut<'a, u8>>>,
+struct Crew<I> {
+    pieces: Mutex<I>,
     stop: AtomicBool,
     /// Threads other than the caller's that have not ended their work.
     busy: AtomicUsize,
 }
 
-/// Draws the whole scene into `out`.
-pub(super) fn paint(scene: &Scene<'_>, out: &mut [u8], threads: usize, watch: Watch<'_>) -> Result<()> {
-    let bands = Mutex::new(out.chunks_mut(TILE * scene.width * 4).enumerate());
-    let crew = Crew { scene, bands, stop: AtomicBool::new(false), busy: AtomicUsize::new(0) };
+/// Does `work` on every piece, on `threads` threads, each with a state of its own from `make`.
+pub(crate) fn share<T, S>(
+    pieces: impl Iterator<Item = T> + Send,
+    threads: usize,
+    watch: Watch<'_>,
+    make: impl Fn() -> Result<S> + Sync,
+    work: impl Fn(&mut S, T, Poll<'_>) -> Result<()> + Sync,
+) -> Result<()> {
+    let crew = Crew { pieces: Mutex::new(pieces), stop: AtomicBool::new(false), busy: AtomicUsize::new(0) };
     let caller = thread::current();
     thread::scope(|scope| {
         let hire = |_| {
-            let (crew, caller) = (&crew, &caller);
-            let work = move || {
-                let outcome = crew.work(&|| crew.go_on());
+            let (crew, caller, make, work) = (&crew, &caller, &make, &work);
+            let task = move || {
+                let outcome = crew.work(make, work, &|| crew.go_on());
                 crew.leave();
                 caller.unpark();
                 outcome
             };
             // Where the system refuses a thread, the others do its work.
             crew.busy.fetch_add(1, Ordering::Relaxed);
-            Builder::new().spawn_scoped(scope, work).inspect_err(|_| crew.leave()).ok()
+            Builder::new().spawn_scoped(scope, task).inspect_err(|_| crew.leave()).ok()
         };
         let hired: Vec<ScopedJoinHandle<'_, _>> = (1..threads).filter_map(hire).collect();
-        let own = crew.work(&|| crew.ask(watch)).and_then(|()| crew.wait(&hired, watch));
+        let own = crew.work(&make, &work, &|| crew.ask(watch)).and_then(|()| crew.wait(&hired, watch));
         let others = hired.into_iter().map(|hand| hand.join().unwrap_or(Err(Error::Internal("a thread panicked"))));
         // The caller's own reason first: it is the one that was interrupted.
         others.fold(own, |first, next| if first == Err(Error::Interrupted) { next.and(first) } else { first.and(next) })
     })
 }
 
-impl Crew<'_> {
-    /// Draws rows of tiles until none is left.
-    fn work(&self, poll: &dyn Fn() -> Result<()>) -> Result<()> {
-        let outcome = Tile::new().and_then(|mut tile| {
-            while let Some((row, pixels)) = self.next() {
-                self.scene.band(row, pixels, &mut tile, poll)?;
+impl<T, I: Iterator<Item = T>> Crew<I> {
+    /// Takes pieces until none is left.
+    fn work<S>(
+        &self,
+        make: &impl Fn() -> Result<S>,
+        work: &impl Fn(&mut S, T, Poll<'_>) -> Result<()>,
+        poll: Poll<'_>,
+    ) -> Result<()> {
+        let outcome = make().and_then(|mut state| {
+            while let Some(piece) = self.next() {
+                poll()?;
+                work(&mut state, piece, poll)?;
             }
             Ok(())
         });
         outcome.inspect_err(|_| self.stop.store(true, Ordering::Relaxed))
     }
+
+    fn next(&self) -> Option<T> {
+        self.pieces.lock().ok()?.next()
+    }
 }
 
-impl<'a> Crew<'a> {
-    fn next(&self) -> Option<(usize, &'a mut [u8])> {
-        self.bands.lock().ok()?.next()
-    }
-
+impl<I> Crew<I> {
     fn leave(&self) {
         self.busy.fetch_sub(1, Ordering::Release);
     }

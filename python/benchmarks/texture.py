@@ -1,0 +1,246 @@
+"""How fast textures are drawn, as ratios to drawing libraries in the same run.
+
+``python python/benchmarks/texture.py`` prints, for every size and number of tapered edges, the time of the coverage
+mask and of six maps together (mask, height, normal, distance, cell, strand) on one and on two threads, each over the
+time of every peer that is installed: tapered polygons, and plain lines of one width, anti-aliased, in one 8-bit channel
+where the library has one. Below 1 means that the texture is faster.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import time
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+from numpy.typing import NDArray
+
+import crazing as cz
+
+SIX = ("mask", "height", "normal", "distance", "cell", "strand")
+
+
+class Drawing:
+    """One pattern as every library wants it, in pixels."""
+
+    def __init__(self, crack: cz.Crack, side: int, thickness: int) -> None:
+        self.crack, self.side, self.thickness = crack, side, thickness
+        ends = crack.graph.segments * [1, -1] * side + [0, side]
+        step = ends[:, 1] - ends[:, 0]
+        length = np.maximum(np.hypot(*step.T), 1e-9)[:, None]
+        across = np.stack([-step[:, 1], step[:, 0]], axis=1) / length
+        first, second = (across * crack.width[:, [end]] * side / 2 for end in (0, 1))
+        corners = [ends[:, 0] + first, ends[:, 1] + second, ends[:, 1] - second, ends[:, 0] - first]
+        self.ends = ends.astype(np.float32)
+        self.polygons = np.stack(corners, axis=1).astype(np.float32)
+
+
+def opencv(cv2: ModuleType, drawing: Drawing, tapered: bool) -> Callable[[], object]:
+    fixed = np.round((drawing.polygons if tapered else drawing.ends) * 16).astype(np.int32)
+    parts = list(fixed)
+
+    def draw() -> NDArray[np.uint8]:
+        picture = np.zeros((drawing.side, drawing.side), dtype=np.uint8)
+        if tapered:
+            for part in parts:
+                cv2.fillConvexPoly(picture, part, 255, cv2.LINE_AA, 4)
+        else:
+            cv2.polylines(picture, parts, False, 255, drawing.thickness, cv2.LINE_AA, 4)
+        return picture
+
+    return draw
+
+
+def cairo(cairo: ModuleType, drawing: Drawing, tapered: bool) -> Callable[[], object]:
+    parts = (drawing.polygons if tapered else drawing.ends).tolist()
+
+    def draw() -> object:
+        surface = cairo.ImageSurface(cairo.FORMAT_A8, drawing.side, drawing.side)
+        context = cairo.Context(surface)
+        context.set_line_width(drawing.thickness)
+        for first, *rest in parts:
+            context.move_to(*first)
+            for corner in rest:
+                context.line_to(*corner)
+            if tapered:
+                context.fill()
+            else:
+                context.stroke()
+        return surface
+
+    return draw
+
+
+def skia(skia: ModuleType, drawing: Drawing, tapered: bool) -> Callable[[], object]:
+    parts = (drawing.polygons if tapered else drawing.ends).tolist()
+    style = skia.Paint.kFill_Style if tapered else skia.Paint.kStroke_Style
+    paint = skia.Paint(AntiAlias=True, Color=skia.ColorBLACK, StrokeWidth=drawing.thickness, Style=style)
+
+    def draw() -> object:
+        surface = skia.Surface(np.zeros((drawing.side, drawing.side, 4), dtype=np.uint8))
+        canvas = surface.getCanvas()
+        for part in parts:
+            if tapered:
+                canvas.drawPath(skia.Path.Polygon([skia.Point(*corner) for corner in part], True), paint)
+            else:
+                canvas.drawLine(*part[0], *part[1], paint)
+        return surface
+
+    return draw
+
+
+def aggdraw(aggdraw: ModuleType, drawing: Drawing, tapered: bool) -> Callable[[], object]:
+    parts = (drawing.polygons if tapered else drawing.ends).reshape(len(drawing.ends), -1).tolist()
+    pen, brush = aggdraw.Pen(255, drawing.thickness), aggdraw.Brush(255)
+
+    def draw() -> object:
+        canvas = aggdraw.Draw("L", (drawing.side, drawing.side), 0)
+        for part in parts:
+            if tapered:
+                canvas.polygon(part, brush)
+            else:
+                canvas.line(part, pen)
+        return canvas
+
+    return draw
+
+
+def pillow(image: ModuleType, drawing: Drawing, tapered: bool) -> Callable[[], object]:
+    """Not anti-aliased: it does less."""
+    from PIL import ImageDraw
+
+    parts = (drawing.polygons if tapered else drawing.ends).reshape(len(drawing.ends), -1).tolist()
+
+    def draw() -> object:
+        picture = image.new("L", (drawing.side, drawing.side))
+        canvas = ImageDraw.Draw(picture)
+        for part in parts:
+            if tapered:
+                canvas.polygon(part, fill=255)
+            else:
+                canvas.line(part, fill=255, width=drawing.thickness)
+        return picture
+
+    return draw
+
+
+PEERS = {
+    "OpenCV": ("cv2", opencv),
+    "Cairo": ("cairo", cairo),
+    "Skia": ("skia", skia),
+    "aggdraw": ("aggdraw", aggdraw),
+    "Pillow, no AA": ("PIL.Image", pillow),
+}
+
+
+def seconds(work: Callable[[], object], repeats: int) -> float:
+    """The least wall time of some runs."""
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - start)
+    return min(times)
+
+
+def pattern(edges: int, width: float) -> cz.Crack:
+    """A crack pattern of about that many edges, some closing plates."""
+    return cz.crack(n=max(edges * 10 // 24, 3), opening=0.6, width=width, rng=1)
+
+
+def rows(side: int, edges: int, repeats: int) -> list[str]:
+    """The lines of the table for one size and number of edges."""
+    thickness = max(1, side // 2048)
+    crack = pattern(edges, 2 * thickness / side)
+    drawing = Drawing(crack, side, thickness)
+    jobs = {}
+    for threads in (1, 2):
+        for name, maps in (("mask", ("mask",)), ("six", SIX)):
+            jobs[name, threads] = lambda maps=maps, threads=threads: cz.texture(crack, side, maps=maps, threads=threads)
+    ours = {job: seconds(work, repeats) for job, work in jobs.items()}
+    head = f"{side} px, {len(crack.graph.edges)} edges: "
+    head += ", ".join(f"{name} on {threads}: {1000 * time:.0f} ms" for (name, threads), time in ours.items())
+    lines = [head]
+    peers = {"tiny-skia, cz.render": (lambda: cz.render(crack, side, threads=1), None)}
+    for name, (module, make) in PEERS.items():
+        try:
+            library = importlib.import_module(module)
+        except ImportError:
+            continue
+        peers[name] = make(library, drawing, True), make(library, drawing, False)
+    for name, (tapered, plain) in peers.items():
+        polygons = seconds(tapered, repeats)
+        cells = [ours["mask", threads] / polygons for threads in (1, 2)]
+        text = f"  mask / {name} tapers {cells[0]:.2f} {cells[1]:.2f} ({1000 * polygons:.0f} ms)"
+        if plain is not None:
+            strokes = seconds(plain, repeats)
+            more = [ours[job, threads] / strokes for job in ("mask", "six") for threads in (1, 2)]
+            text += f"; mask / lines {more[0]:.2f} {more[1]:.2f}, six / lines {more[2]:.2f} {more[3]:.2f}"
+            text += f" ({1000 * strokes:.0f} ms)"
+        lines.append(text)
+    return lines
+
+
+def preview(repeats: int) -> str:
+    """A preview of 300 sites against Matplotlib drawing the same segments to a PNG."""
+    import io
+
+    from matplotlib.collections import LineCollection
+    from matplotlib.figure import Figure
+
+    recipe = cz.Recipe(n=300)
+
+    def theirs() -> None:
+        figure = Figure(figsize=(5.12, 5.12), dpi=100)
+        axes = figure.add_axes((0, 0, 1, 1))
+        axes.add_collection(LineCollection(list(segments)))
+        axes.set(xlim=(0, 1), ylim=(0, 1))
+        figure.savefig(io.BytesIO(), format="png")
+
+    segments = recipe.crack(rng=1).graph.segments
+    ours = seconds(lambda: cz.preview(recipe, 512, rng=1), repeats)
+    other = seconds(theirs, repeats)
+    return (
+        f"preview of 300 sites at 512: {1000 * ours:.1f} ms, Matplotlib {1000 * other:.1f} ms, ratio {ours / other:.2f}"
+    )
+
+
+def flatness(sides: list[int], repeats: int) -> str:
+    """Nanoseconds a pixel of a height map of one pattern at several sizes."""
+    crack = pattern(3000, 0.002)
+    each = {side: seconds(lambda s=side: cz.texture(crack, s, maps=["height"]), repeats) for side in sides}
+    return "height, ns a pixel: " + ", ".join(f"{side} {1e9 * time / side**2:.1f}" for side, time in each.items())
+
+
+def main() -> None:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description="Time textures against drawing libraries.")
+    parser.add_argument("--sides", type=int, nargs="+", default=[2048, 4096, 8192])
+    parser.add_argument("--edges", type=int, nargs="+", default=[10_000, 100_000, 300_000])
+    parser.add_argument("--flat", type=int, nargs="+", default=[2048, 4096, 8192, 16384])
+    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--small", action="store_true", help="one small picture, once")
+    parser.add_argument("-o", dest="folder", type=Path, help="also write the table to a file in this folder")
+    given = parser.parse_args()
+    if given.small:
+        given.sides, given.edges, given.flat, given.repeats = [256], [1000], [128, 256], 1
+    table = []
+
+    def show(*lines: str) -> None:
+        table.extend(lines)
+        print(*lines, sep="\n", flush=True)
+
+    show(preview(given.repeats), flatness(given.flat, given.repeats))
+    for side in given.sides:
+        for edges in given.edges:
+            show(*rows(side, edges, given.repeats))
+    if given.folder:
+        given.folder.mkdir(parents=True, exist_ok=True)
+        (given.folder / "texture.txt").write_text("\n".join(table) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,65 @@
+"""`crazing fit`: a recipe from a crack mask."""
+
+from __future__ import annotations
+
+import contextlib
+import secrets
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import click
+
+import crazing
+from crazing.cli.measure import mask_options
+from crazing.images import read_image
+
+
+def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
+    path = Path(value)
+    if path.suffix.lower() != ".toml":
+        raise click.BadParameter(f"{value!r} does not end in .toml.")
+    if path.is_dir() or not path.parent.is_dir():
+        raise click.BadParameter(f"{value!r} is a folder or lies in none.")
+    return value
+
+
+@click.command("fit")
+@click.argument("mask", type=click.Path(exists=True, dir_okay=False))
+@mask_options
+@click.option("--budget", type=click.IntRange(0), default=320, show_default=True, help="Recipes to try.")
+@click.option("--seconds", type=click.FloatRange(0), help="Most time; the result then depends on the machine.")
+@click.option("--seed", type=click.IntRange(min=0), metavar="N", help="Seed; by default a fresh one, which is printed.")
+@click.option("-o", "--output", required=True, metavar="FILE", callback=_checked, help="Where to write it, a .toml.")
+def command(
+    *, mask: str, level: float, dark: bool, budget: int, seconds: float | None, seed: int | None, output: str
+) -> None:
+    """Finds a recipe whose patterns measure like the crack pattern in MASK.
+
+    Example: crazing fit photo_mask.png -o mine.toml; crazing texture --recipe mine.toml -o mine.png
+    """
+    seed = secrets.randbits(32) if seed is None else seed
+    picture = read_image(mask)
+    with _bar(budget) as progress:
+        recipe = crazing.fit(
+            picture, level=level, dark=dark, budget=budget, seconds=seconds, rng=seed, progress=progress
+        )
+    recipe.replace(title=f"Fit to {Path(mask).name}", citation=f"crazing fit, seed {seed}, budget {budget}").save(
+        output
+    )
+    click.echo(f"{output}: {recipe.n} plates, opening {recipe.opening:.2f}, seed {seed}")
+
+
+@contextlib.contextmanager
+def _bar(total: int) -> Iterator[Callable[[int, float], None] | None]:
+    """Shows how many recipes were tried and how near the best is; nothing unless standard error is a terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn("{task.description:>12}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task("fitting", total=total)
+        yield lambda tried, best: progress.update(task, completed=tried, description=f"off by {best:.2f}")

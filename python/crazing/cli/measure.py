@@ -1,0 +1,67 @@
+"""`crazing measure`: the statistics of a crack mask."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import click
+
+import crazing
+from crazing.cli.progress import steps
+from crazing.images import read_image
+from crazing.measure import as_mask
+
+
+def mask_options(function: click.decorators.FC) -> click.decorators.FC:
+    """Adds what says which pixels are crack."""
+    words = "Brightness above which there is crack, from 0 black to 1 white."
+    function = click.option("--dark", is_flag=True, help="Cracks are dark on bright ground.")(function)
+    return click.option("--level", type=float, default=0.5, show_default=True, metavar="Z", help=words)(function)
+
+
+@click.command("measure")
+@click.argument("mask", type=click.Path(exists=True, dir_okay=False))
+@mask_options
+@click.option("--spur", type=float, default=14.0, show_default=True, metavar="PX", help="Cut off shorter free ends.")
+@click.option("--merge", type=float, default=6.0, show_default=True, metavar="PX", help="Unite nearer junctions.")
+@click.option("--border", type=float, default=20.0, show_default=True, metavar="PX", help="Leave out nodes this near.")
+@click.option("--reach", type=float, default=15.0, show_default=True, metavar="PX", help="Where directions are taken.")
+@click.option(
+    "--preset", metavar="NAME", help="Also say how far the mask is from the targets of a preset, in deviations."
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one line of JSON.")
+def command(
+    *,
+    mask: str,
+    level: float,
+    dark: bool,
+    spur: float,
+    merge: float,
+    border: float,
+    reach: float,
+    preset: str | None,
+    as_json: bool,
+) -> None:
+    """Measures the crack pattern in MASK, a picture bright where there is crack.
+
+    Prints name, published symbol and value of every statistic: nodes, angles, loops, cells, lines and widths.
+
+    Example: crazing measure mask.png --json
+    """
+    targets = None if preset is None else crazing.targets(preset)
+    with steps(2) as begin:
+        begin("reading")
+        picture = as_mask(read_image(mask), level=level, dark=dark)
+        begin("measuring")
+        found = crazing.measure(picture, spur=spur, merge=merge, border=border, reach=reach)
+    far = {} if targets is None else found.deviations(targets.measured)
+    if as_json:
+        values = {name: None if math.isnan(value) else value for name, value in found.to_dict().items()}
+        click.echo(json.dumps({"mask": mask, **values, **({} if targets is None else {"deviations": far})}))
+        return
+    click.echo(str(found))
+    for name, value in far.items():
+        click.echo(f"{name} is {value:+.1f} deviations from {preset}")
+    if targets is not None and targets.measured:
+        click.echo(f"score {found.score(targets.measured):.2f} against {preset}")

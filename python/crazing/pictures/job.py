@@ -1,0 +1,190 @@
+"""The work on one texture: its bands, drawn once, into all its files; taken up again where a killed run stopped."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable, Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from crazing.pictures import exr, png, tiff, zarr
+from crazing.pictures.about import About
+from crazing.pictures.parts import State
+from crazing.pictures.samples import COLORS, Format, layer, samples
+
+Maps = Mapping[str, NDArray[Any]]
+Progress = Callable[[int, int], object]
+
+#: Rows of a band, most first, and what the maps of one band may take: with the samples made of them, and the next
+#: band that is drawn meanwhile, a run needs some four times as much.
+BANDS = (256, 128, 64, 32, 16)
+BAND_BYTES = 1 << 27
+
+_JOURNAL, _RECORD = "journal.jsonl", "record.json"
+
+
+class Writer(Protocol):
+    """A file that is written band by band."""
+
+    def resume(self, states: list[State]) -> int:
+        """How many bands stand as they were written."""
+
+    def begin(self, states: list[State]) -> None:
+        """Go on behind these bands; none is from the start."""
+
+    def write(self, samples: NDArray[Any]) -> State:
+        """Append a band, and say what is needed to go on behind it."""
+
+    def finish(self) -> None:
+        """Complete the file."""
+
+    def close(self) -> None:
+        """Leave the file as it is."""
+
+
+_WRITERS: dict[str, Callable[[Path, tuple[int, ...], np.dtype[Any], int, About], Writer]] = {
+    "png": png.Writer,
+    "tiff": tiff.Writer,
+    "exr": exr.Writer,
+    "zarr": zarr.Writer,
+}
+
+
+@dataclass(frozen=True)
+class Picture:
+    """One file to be made."""
+
+    name: str
+    """Which picture, see `samples.PICTURES`."""
+    target: Path
+    form: Format
+    record: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Job:
+    """All files of a texture."""
+
+    pictures: tuple[Picture, ...]
+    size: tuple[int, int]
+    draw: Callable[[int, int], Maps]
+    """The maps from a first row on, as many rows as that."""
+    density: tuple[float, float]
+    reach: float
+    """Distances that whole numbers hold, data units."""
+    part: Path
+    """The folder of unfinished files."""
+
+    def run(self, progress: Progress | None = None) -> None:
+        """Make the files; what a stopped run left in the folder of parts is gone on with.
+
+        Each file takes its place when all are whole. An exception leaves the finished bands for the next run.
+        """
+        one = self.draw(0, 1)
+        row = sum(array.nbytes for array in one.values())
+        band = next((rows for rows in BANDS if rows * row <= BAND_BYTES), BANDS[-1])
+        states = self._left(band)
+        writers: list[Writer] = []
+        try:
+            writers += (self._writer(index, one, band) for index in range(len(self.pictures)))
+            done = min(writer.resume(own) for writer, own in _columns(writers, states))
+            for writer, own in _columns(writers, states[:done]):
+                writer.begin(own)
+            self._keep(states[:done])
+            self._bands(writers, band, done, progress)
+            for writer in writers:
+                writer.finish()
+        finally:
+            for writer in writers:
+                writer.close()
+            if not _lines(self.part / _JOURNAL):
+                # Nothing that could be gone on with.
+                shutil.rmtree(self.part)
+        for index, picture in enumerate(self.pictures):
+            _place(self._path(index), picture.target)
+        shutil.rmtree(self.part)
+
+    def _bands(self, writers: list[Writer], band: int, done: int, progress: Progress | None) -> None:
+        """Draws a band while the one before it is written."""
+        height = self.size[0]
+        with ThreadPoolExecutor(1) as pool, (self.part / _JOURNAL).open("a", encoding="ascii") as journal:
+            waiting: Future[None] | None = None
+            for top in range(done * band, height, band):
+                if progress is not None:
+                    progress(top, height)
+                maps = self.draw(top, min(band, height - top))
+                if waiting is not None:
+                    waiting.result()
+                waiting = pool.submit(self._write, writers, maps, journal)
+            if waiting is not None:
+                waiting.result()
+        if progress is not None:
+            progress(height, height)
+
+    def _write(self, writers: list[Writer], maps: Maps, journal: Any) -> None:
+        states = []
+        for writer, picture in zip(writers, self.pictures, strict=True):
+            states.append(writer.write(samples(picture.name, layer(picture.name, maps), picture.form, self.reach)))
+        journal.write(json.dumps(states) + "\n")
+        journal.flush()
+
+    def _writer(self, index: int, one: Maps, band: int) -> Writer:
+        """The writer of a picture, whose shape and type are those of one row."""
+        picture = self.pictures[index]
+        row = samples(picture.name, layer(picture.name, one), picture.form, self.reach)
+        about = About(picture.record, self.density, picture.name in COLORS)
+        shape = (*self.size, *row.shape[2:])
+        return _WRITERS[picture.form.kind](self._path(index), shape, row.dtype, band, about)
+
+    def _path(self, index: int) -> Path:
+        return self.part / f"{index}{self.pictures[index].form.ending}"
+
+    def _left(self, band: int) -> list[list[State]]:
+        """What a run of the very same job noted, a list a band; the folder of parts is there afterwards."""
+        own = json.dumps([band, [[picture.target.name, picture.record] for picture in self.pictures]])
+        try:
+            if (self.part / _RECORD).read_text(encoding="ascii") == own:
+                return _lines(self.part / _JOURNAL)
+        except OSError:
+            pass
+        if self.part.exists():
+            shutil.rmtree(self.part)
+        self.part.mkdir()
+        (self.part / _RECORD).write_text(own, encoding="ascii")
+        return []
+
+    def _keep(self, states: list[list[State]]) -> None:
+        """Forgets the bands that are gone."""
+        text = "".join(json.dumps(line) + "\n" for line in states)
+        (self.part / _JOURNAL).write_text(text, encoding="ascii")
+
+
+def _columns(writers: list[Writer], states: list[list[State]]) -> list[tuple[Writer, list[State]]]:
+    """Each writer with its own states."""
+    return [(writer, [line[index] for line in states]) for index, writer in enumerate(writers)]
+
+
+def _lines(path: Path) -> list[list[State]]:
+    """The whole lines of a journal; the last of a killed run may be torn."""
+    lines: list[list[State]] = []
+    if path.exists():
+        for text in path.read_text(encoding="ascii", errors="replace").splitlines():
+            try:
+                lines.append(json.loads(text))
+            except ValueError:
+                break
+    return lines
+
+
+def _place(source: Path, target: Path) -> None:
+    """Puts a finished file, or folder of files, where it belongs."""
+    target.parent.mkdir(exist_ok=True)
+    if target.is_dir():
+        shutil.rmtree(target)
+    source.replace(target)

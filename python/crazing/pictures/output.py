@@ -1,0 +1,193 @@
+"""Which files a texture becomes, and the making of them."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from crazing import _core, arguments
+from crazing.extras import require
+from crazing.files import atomic_write
+from crazing.pictures import layouts, scene
+from crazing.pictures.job import Job, Maps, Picture, Progress
+from crazing.pictures.samples import ENDINGS, FORMATS, PICTURES, REACH, Format
+from crazing.versions import algorithm_version
+
+#: What `maps="all"` makes: every map, and the one that is packed of three.
+ALL = ("normal", *(name for name in PICTURES if not name.startswith("normal")))
+
+_LIBRARIES = {"exr": "OpenEXR", "zarr": "zarr"}
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What a texture shows, whoever draws it."""
+
+    size: tuple[int, int]
+    scale: float
+    """Pixels a data unit."""
+    relief: float
+    """What heights from 0 to 1 are, data units."""
+    tiles: bool
+    """Whether the whole repeats."""
+    record: Mapping[str, Any]
+    """How it is made: version, texture, source."""
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a user wants to have of it."""
+
+    maps: tuple[str, ...]
+    format: str | None = None
+    layout: str = "plain"
+    name: str = "texture"
+    metres: float = 1.0
+    """Metres a data unit."""
+
+    def __post_init__(self) -> None:
+        if self.format is not None:
+            arguments.choice(self.format, "format", FORMATS)
+        layouts.named(self.layout)
+        layouts.checked_name(self.name)
+        if not arguments.number(self.metres, "metres", low=0.0) > 0:
+            raise ValueError("metres is 0; the size of a data unit is wanted")
+
+
+def is_file(path: str | os.PathLike[str]) -> bool:
+    """Whether a path names one picture, by its ending; else it is a folder for several."""
+    return Path(path).suffix.lower() in ENDINGS
+
+
+def format_of(path: str | os.PathLike[str], format: str | None) -> str:
+    """The name of the format of a path: the one that is asked for, or what the ending says; folders get PNG."""
+    return format or ENDINGS.get(Path(path).suffix.lower(), "png")
+
+
+def form_of(path: str | os.PathLike[str], format: str | None) -> Format:
+    """The format of a path; the one that is asked for must have its ending."""
+    ending = Path(path).suffix.lower()
+    form = FORMATS[format_of(path, format)]
+    if ending in ENDINGS and FORMATS[ENDINGS[ending]].kind != form.kind:
+        raise ValueError(f"{os.fspath(path)} does not end in {form.ending}, as files of the format {format!r} do")
+    return form
+
+
+def pictures_of(path: str | os.PathLike[str], wanted: Wanted) -> tuple[str, ...]:
+    """The pictures that the maps become at `path`."""
+    form = form_of(path, wanted.format)
+    for i, word in enumerate(wanted.maps):
+        arguments.choice(word, f"maps[{i}]", ("normal", *PICTURES))
+    if not wanted.maps:
+        raise ValueError("maps is empty; name at least one")
+    if not is_file(path):
+        maps = wanted.maps
+        if form.kind == "png" and {"color", "ao", "roughness"} <= set(maps):
+            # The plane of glTF takes them in one picture.
+            maps = (*maps, "orm")
+        return layouts.chosen(maps, layouts.named(wanted.layout))
+    pictures = layouts.chosen(wanted.maps, layouts.LAYOUTS["plain"])
+    if len(pictures) != 1:
+        raise ValueError(f"{os.fspath(path)} holds one map, {len(pictures)} are wanted; name a folder for several")
+    return pictures
+
+
+def write(
+    path: str | os.PathLike[str],
+    wanted: Wanted,
+    shown: Shown,
+    draw: Callable[[int, int], Maps],
+    progress: Progress | None = None,
+) -> tuple[Path, ...]:
+    """Make the files at `path`; their paths, scenes last."""
+    target, form, word = Path(path), form_of(path, wanted.format), format_of(path, wanted.format)
+    _check(target)
+    if form.kind in _LIBRARIES:
+        require(_LIBRARIES[form.kind], "texture")
+    pictures = pictures_of(path, wanted)
+    reach = REACH * shown.size[0] / shown.scale
+    made = tuple(
+        Picture(
+            picture, _file(target, picture, form, wanted, shown), form, _record(picture, word, wanted, shown, reach)
+        )
+        for picture in pictures
+    )
+    density = shown.scale / wanted.metres
+    part = target.parent / f".{target.name or 'texture'}.part"
+    Job(made, shown.size, draw, (density, density), reach, part).run(progress)
+    paths = tuple(picture.target for picture in made)
+    return paths if is_file(path) else paths + _scenes(target, made, wanted, shown, density)
+
+
+def _check(target: Path) -> None:
+    if is_file(target):
+        is_store = target.suffix.lower() == ".zarr" and (target / "zarr.json").exists()
+        if target.is_dir() and not is_store:
+            raise IsADirectoryError(21, "is a folder", str(target))
+    elif target.exists() and not target.is_dir():
+        raise NotADirectoryError(20, "is a file; a folder, or the ending of a picture, is wanted", str(target))
+    if not target.parent.is_dir():
+        raise FileNotFoundError(2, "lies in no folder", str(target))
+
+
+def _file(target: Path, picture: str, form: Format, wanted: Wanted, shown: Shown) -> Path:
+    if is_file(target):
+        return target
+    layout = layouts.named(wanted.layout)
+    return target / layout.file(wanted.name, picture, max(shown.size), form.word, form.ending)
+
+
+def _record(picture: str, form: str, wanted: Wanted, shown: Shown, reach: float) -> dict[str, Any]:
+    texture = {**shown.record["texture"], "metres": wanted.metres, "texel_size": wanted.metres / shown.scale}
+    if picture == "distance":
+        texture["reach"] = reach
+    return {**shown.record, "texture": texture, "picture": picture, "format": form}
+
+
+def _scenes(folder: Path, made: tuple[Picture, ...], wanted: Wanted, shown: Shown, density: float) -> tuple[Path, ...]:
+    """MaterialX beside pictures of colour, and glTF where they are PNG."""
+    files = {picture.name: picture.target.name for picture in made}
+    kind = made[0].form.kind
+    if "color" not in files or kind == "zarr":
+        return ()
+    height, width = shown.size
+    record = _record("scene", made[0].record["format"], wanted, shown, 0.0)
+    sides, relief = (width / density, height / density), shown.relief * wanted.metres
+    about = scene.Scene(wanted.name, files, sides, relief, shown.tiles, record)
+    texts = {folder / f"{wanted.name}.mtlx": scene.materialx(about)}
+    if kind == "png":
+        texts[folder / f"{wanted.name}.gltf"] = scene.gltf(about)
+    for path, text in texts.items():
+        with atomic_write(path) as file:
+            file.write(text.encode("utf-8"))
+    return tuple(texts)
+
+
+def words(maps: str | Iterable[str]) -> tuple[str, ...]:
+    """Names of maps as a tuple."""
+    if isinstance(maps, str):
+        return ALL if maps == "all" else (maps,)
+    return tuple(maps)
+
+
+def shown_by(drawing: Any, origin: Mapping[str, Any]) -> Shown:
+    """What a texture or the plan of one shows, with the record that makes it again."""
+    texture = {
+        "size": list(drawing.size),
+        "bounds": list(drawing.bounds),
+        "seed": drawing.seed,
+        "material": dataclasses.asdict(drawing.material),
+        "relief": drawing.relief,
+    }
+    record = {
+        "algorithm_version": algorithm_version,
+        "version": _core.__version__,
+        "command": "texture",
+        "texture": texture,
+        "source": dict(origin),
+    }
+    return Shown(drawing.size, drawing.scale, drawing.relief, drawing.period is not None, record)

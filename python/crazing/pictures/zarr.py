@@ -1,0 +1,76 @@
+"""Zarr 3, in shards a band high."""
+
+from __future__ import annotations
+
+import shutil
+import zlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from crazing.extras import require
+from crazing.pictures.about import KEY, About
+from crazing.pictures.parts import State
+
+#: Pixels across of a chunk, and chunks across of a shard, which is one file.
+CHUNK, SHARD = 256, 16
+
+
+class Writer:
+    """An array that fills up. What is there is held to its checksum when a run goes on."""
+
+    def __init__(self, path: Path, shape: tuple[int, ...], dtype: np.dtype[Any], band: int, about: About) -> None:
+        self.library = require("zarr", "texture")
+        self.path, self.shape, self.dtype, self.band, self.about = path, shape, dtype, band, about
+        self.row = 0
+
+    def resume(self, states: list[State]) -> int:
+        """How many bands stand."""
+        library: Any = self.library
+        whole = 0
+        try:
+            array = library.open_array(store=str(self.path), mode="r")
+            for state in states:
+                rows = array[whole * self.band : (whole + 1) * self.band]
+                if zlib.crc32(np.ascontiguousarray(rows).data) != state["sum"]:
+                    break
+                whole += 1
+        except Exception:  # A damaged store raises whatever its parsing runs into: then it is written anew.
+            return whole
+        return whole
+
+    def begin(self, states: list[State]) -> None:
+        """Go on behind these bands; none is from the start."""
+        library: Any = self.library
+        self.row = int(states[-1]["row"]) if states else 0
+        if states:
+            self.array = library.open_array(store=str(self.path), mode="r+")
+            return
+        if self.path.exists():
+            shutil.rmtree(self.path)
+        rest = self.shape[2:]
+        across = min(SHARD, -(-self.shape[1] // CHUNK))
+        self.array = library.create_array(
+            store=str(self.path),
+            shape=self.shape,
+            dtype=self.dtype,
+            chunks=(self.band, CHUNK, *rest),
+            shards=(self.band, across * CHUNK, *rest),
+            dimension_names=("y", "x", "channel")[: len(self.shape)],
+            attributes={KEY: dict(self.about.record), "density": list(self.about.density)},
+        )
+
+    def write(self, samples: NDArray[Any]) -> State:
+        """Fill the next rows."""
+        samples = np.ascontiguousarray(samples)
+        self.array[self.row : self.row + len(samples)] = samples
+        self.row += len(samples)
+        return {"row": self.row, "sum": zlib.crc32(samples.data)}
+
+    def finish(self) -> None:
+        """Nothing is left to do."""
+
+    def close(self) -> None:
+        """Nothing is left to do."""

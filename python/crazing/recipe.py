@@ -1,0 +1,514 @@
+"""Recipes: which steps a crack is made of, kept as TOML; presets are recipes that come with the package."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from crazing import files, steps
+from crazing import rng as _rng
+from crazing.arguments import bounds_tuple, choice, count, number, period_pair
+from crazing.crack import Crack
+from crazing.diagram import Diagram
+from crazing.maze import TREES
+from crazing.site import Site
+
+#: One TOML file a preset.
+PRESETS = Path(__file__).parent / "presets"
+
+GENERATORS = ("maze", "splitting", "impact")
+SAMPLERS = ("uniform", "poisson-disk", "normal", "laplace")
+
+# What a number may be: lowest and highest; ints are counts.
+_RANGES: dict[str, tuple[float, float]] = {
+    "n": (0, 2**31 - 1),
+    "relax": (0, 1000),
+    "falloff": (0, 8),
+    "anisotropy": (1, 32),
+    "angle": (-360, 360),
+    "opening": (0, 1),
+    "rounds": (0, 1000),
+    "pull": (0, 1),
+    "slide": (0, 1),
+    "clamp": (0, 0.5),
+    "turn": (0, 180),
+    "jitter": (0, 4),
+    "bend": (0, 1),
+    "speed": (1, 10_000),
+    "arcs": (0, 1),
+    "warp": (0, 4),
+    "roughness": (0, 4),
+    "hurst": (0, 2),
+    "grain": (0.001, 1000),
+    "thickness": (0, 8),
+    "hierarchy": (0, 8),
+    "shrink": (0, 2),
+    "taper": (0, 1),
+    "abutting": (0, 2),
+    "unevenness": (0, 2),
+    "fade": (0, 16),
+}
+_WORDS = {"generator": GENERATORS, "sampler": SAMPLERS, "tree": TREES}
+
+#: Within this part of the smaller side of the bounds about the source cracks are widest.
+_REACH = 0.25
+
+
+@dataclass(frozen=True, kw_only=True)
+class Recipe:
+    """What a crack is made of, step by step; by default the thesis' own pattern.
+
+    Numbers have no unit: lengths are in spacings, the median distance between neighbouring plates.
+
+    Parameters
+    ----------
+    generator : {"maze", "splitting", "impact"}
+        What is drawn: the walls of a maze of plates; walls that split plate after plate; spokes and arcs.
+    n : int
+        Number of plates, when no points are given.
+    sampler : {"uniform", "poisson-disk", "normal", "laplace"}
+        How the plates of a maze are spread, when no points are given; a Poisson-disk sample has about `n`.
+    relax : int
+        Rounds of Lloyd's relaxation: plates become alike. 0 to 2; more is a honeycomb.
+    falloff : float
+        Plates are finer near the source: their density is ``(1 + (d / r)**2)**-falloff`` at a distance d, with r an
+        eighth of the smaller side. 0 is even.
+    anisotropy : float
+        Plates are this many times as long, along `angle`, as they are wide.
+    angle : float
+        Degrees from the x axis, counter-clockwise. Of a maze on a torus the nearest multiple of 90.
+    tree : {"depth-first", "kruskal", "prim", "wilson"}
+        The tree of the maze whose walls the cracks are, see :func:`crazing.maze`.
+    opening : float
+        The share of the maze's passages that are really opened: 1 leaves no loop, 0 closes every plate.
+    rounds : int
+        Rounds of straightening. 2 to 5 measure like paint, 40 are too straight.
+    pull : float
+        The part of the way to the chord of its crack that a place on it goes in a round.
+    slide : float
+        The part of the way along the chord to where the abutting crack meets it at 90 degrees: more makes more T.
+    clamp : float
+        The part of the chord at both ends that sliding keeps out of.
+    turn : float
+        At a junction of a maze a crack goes on only where it turns by no more than so many degrees.
+    jitter : float
+        Splitting: standard deviation of the logarithm of the size by which the next plate is chosen.
+    bend : float
+        Splitting: how far new cracks bend to meet old ones at right angles, 0 to 1.
+    speed : float
+        Impact: of what hits, km/h; the number of spokes grows as its square root, 4 at 70 and 8 at 280.
+    arcs : float
+        Impact: the share of arcs that are there near the source.
+    warp : float
+        Standard deviation of a smooth warp of the whole, in spacings.
+    roughness : float
+        Standard deviation, in the middle, of a crack one spacing long, in spacings. Tiny for glaze, .05 for asphalt.
+    hurst : float
+        Deviation grows with this power of length: .5 is a random walk, .7 is what real cracks show.
+    grain : float
+        Pieces of rough cracks are no longer than this many spacings.
+    thickness : float
+        Width of the longest crack, in spacings.
+    hierarchy : float
+        Width grows with this power of the length of a crack: 0 makes all alike, .5 is what real cracks show.
+    shrink : float
+        Width is this part of the parent generation's.
+    taper : float
+        The part of a crack over which a free tip runs out.
+    abutting : float
+        Width of an abutting end, as a part of the crack's own.
+    unevenness : float
+        Standard deviation of the logarithm of width from crack to crack; half of it along a crack.
+    fade : float
+        Width falls with the distance d from the source as ``(1 + (d / r)**2)**(-fade / 2)``, with r a quarter of the
+        smaller side.
+    title : str
+        What the recipe makes.
+    citation : str
+        Where its numbers are from.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a value is of the wrong type or out of range.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> paint = cz.Recipe(n=166, opening=0.57, rounds=5)
+    >>> paint.crack(rng=1).bounds
+    (0.0, 0.0, 1.0, 1.0)
+    """
+
+    generator: str = "maze"
+    n: int = 300
+    sampler: str = "uniform"
+    relax: int = 0
+    falloff: float = 0.0
+    anisotropy: float = 1.0
+    angle: float = 0.0
+    tree: str = "depth-first"
+    opening: float = 1.0
+    rounds: int = 0
+    pull: float = 0.64
+    slide: float = 0.18
+    clamp: float = 0.2
+    turn: float = 180.0
+    jitter: float = 0.3
+    bend: float = 1.0
+    speed: float = 200.0
+    arcs: float = 0.8
+    warp: float = 0.0
+    roughness: float = 0.0
+    hurst: float = 0.7
+    grain: float = 0.15
+    thickness: float = 0.125
+    hierarchy: float = 0.5
+    shrink: float = 1.0
+    taper: float = 0.5
+    abutting: float = 0.6
+    unevenness: float = 0.0
+    fade: float = 0.0
+    title: str = field(default="", compare=False)
+    citation: str = field(default="", compare=False)
+
+    def __post_init__(self) -> None:
+        for each in dataclasses.fields(self):
+            object.__setattr__(self, each.name, _checked(each.name, getattr(self, each.name)))
+
+    def replace(self, **changes: Any) -> Recipe:
+        """The same recipe with some values changed.
+
+        Parameters
+        ----------
+        **changes
+            Fields by name.
+
+        Returns
+        -------
+        Recipe
+
+        Raises
+        ------
+        TypeError, ValueError
+            If there is no such field, or its value is out of range.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> cz.Recipe().replace(opening=0.6).opening
+        0.6
+        """
+        for name in changes:
+            choice(name, "the name of a step", _NAMES)
+        return dataclasses.replace(self, **changes)
+
+    def crack(
+        self,
+        points: ArrayLike | Diagram | None = None,
+        *,
+        width: float | None = None,
+        source: ArrayLike | None = None,
+        density: Any = None,
+        bounds: ArrayLike | None = None,
+        period: ArrayLike | None = None,
+        rng: _rng.RNG = None,
+    ) -> Crack:
+        """Make a crack pattern.
+
+        Parameters
+        ----------
+        points : (n, 2) array_like or Diagram, optional
+            Where the plates are, instead of the recipe's own.
+        width : float, optional
+            Width of the longest crack, data units, instead of `thickness` spacings.
+        source : (x, y), optional
+            Where the damage starts, data units; the middle of the bounds by default. See `falloff` and `fade`.
+        density : array_like or callable, optional
+            Plates are finer where this is larger: an image over the bounds, row 0 at the top, see
+            :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units).
+        bounds : (xmin, ymin, xmax, ymax), optional
+            What the pattern is clipped to, data units.
+        period : (width, height), optional
+            What is repeated, data units.
+        rng : int, numpy.random.Generator or None, optional
+            Seed.
+
+        Returns
+        -------
+        Crack
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is of the wrong type or out of range.
+        CrazingError
+            If a coordinate is NaN or infinite.
+        """
+        seed = np.random.default_rng(rng)
+        torus = None if period is None else period_pair(period)
+        if torus is not None and bounds is not None:
+            raise ValueError("bounds and period are both given; a periodic picture is one period")
+        if points is not None and self.generator != "maze":
+            raise ValueError(f"points are given; the generator {self.generator!r} takes none")
+        box = None if points is not None and bounds is None else bounds_tuple(bounds or (0.0, 0.0, *(torus or (1, 1))))
+        site = Site(self, box, torus, source, density)
+        drawing, unit = site.maze(points, seed) if self.generator == "maze" else site.aged(seed)
+        if self.rounds:
+            drawing = steps.straighten(drawing, rounds=self.rounds, pull=self.pull, slide=self.slide, clamp=self.clamp)
+        if self.turn < 180 and self.generator == "maze":
+            drawing = steps.follow(drawing, turn=self.turn)
+        # Every step draws its key, wanted or not: turning one off leaves the others as they are.
+        seeds = [np.random.default_rng(_rng.key(seed)) for _ in range(3)]
+        if self.warp and unit:
+            drawing = steps.warp(drawing, amplitude=self.warp * unit, rng=seeds[0])
+        if self.roughness and unit:
+            drawing = steps.roughen(
+                drawing, roughness=self.roughness, unit=unit, hurst=self.hurst, grain=self.grain, rng=seeds[1]
+            )
+        where, side = site.centre(drawing.bounds)
+        return steps.widen(
+            drawing,
+            width=self.thickness * unit if width is None else number(width, "width", low=0),
+            hierarchy=self.hierarchy,
+            shrink=self.shrink,
+            taper=self.taper,
+            abutting=self.abutting,
+            unevenness=self.unevenness,
+            unit=unit,
+            source=where,
+            reach=_REACH * side,
+            fade=self.fade,
+            rng=seeds[2],
+        )
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Recipe:
+        """Read a recipe from a TOML file: its table `recipe`; other tables are not looked at.
+
+        Parameters
+        ----------
+        path : str or path-like
+
+        Returns
+        -------
+        Recipe
+
+        Raises
+        ------
+        ValueError, TypeError
+            If the file is no TOML, or a key or value is wrong; the message names file and key.
+        OSError
+            If the file cannot be read.
+        """
+        name = os.fspath(path)
+        try:
+            with Path(path).open("rb") as file:
+                tables = tomllib.load(file)
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            raise ValueError(f"{name} is no TOML file: {error}") from None
+        table = tables.get("recipe")
+        if not isinstance(table, dict):
+            raise ValueError(f"{name} has no table [recipe]")
+        unknown = [key for key in table if key not in _NAMES or key in _TEXTS]
+        if unknown:
+            raise ValueError(f"{name}: [recipe] has no key {unknown[0]!r}; it may have {', '.join(_STEPS)}")
+        given = {**table, **{key: tables[key] for key in _TEXTS if key in tables}}
+        for key, value in given.items():
+            try:
+                _checked(key, value)
+            except (TypeError, ValueError) as error:
+                raise type(error)(f"{name}: {error}") from None
+        return cls(**given)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the recipe as a TOML file, which :meth:`load` reads back to an equal one.
+
+        Parameters
+        ----------
+        path : str or path-like
+            An existing file is replaced.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be written; what stood there before is then untouched.
+        """
+        with files.atomic_write(path) as file:
+            file.write(self.to_toml().encode())
+
+    def to_toml(self) -> str:
+        """The recipe as the text of a TOML file.
+
+        Returns
+        -------
+        str
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> print(cz.Recipe(opening=0.6).to_toml().splitlines()[:5])
+        ['[recipe]', 'n = 300', 'sampler = "uniform"', 'relax = 0', 'tree = "depth-first"']
+        """
+        heads = [f"{key} = {_toml(getattr(self, key))}" for key in _TEXTS if getattr(self, key)]
+        rows = [f"{key} = {_toml(getattr(self, key))}" for key in _STEPS]
+        return "\n".join([*heads, *([""] if heads else []), "[recipe]", *rows, ""])
+
+
+_NAMES = tuple(each.name for each in dataclasses.fields(Recipe))
+_TEXTS = ("title", "citation")
+_STEPS = tuple(name for name in _NAMES if name not in _TEXTS)
+
+
+def _checked(name: str, value: Any) -> Any:
+    """A value of a field, of its type and in its range."""
+    if name in _TEXTS:
+        if not isinstance(value, str):
+            raise TypeError(f"{name} is {value!r}; text is wanted")
+        return value
+    if name in _WORDS:
+        return choice(value, name, _WORDS[name])
+    low, high = _RANGES[name]
+    if isinstance(low, int) and isinstance(getattr(Recipe, name), int):
+        return count(value, name, low=int(low), high=int(high))
+    return number(value, name, low=low, high=high)
+
+
+def _toml(value: str | float) -> str:
+    if not isinstance(value, str):
+        return repr(value)
+    escaped = value.replace("\\", "\\\\").replace('"', '\\"')
+    return '"' + "".join(c if c >= " " and c != "\x7f" else f"\\u{ord(c):04x}" for c in escaped) + '"'
+
+
+def presets() -> tuple[str, ...]:
+    """The names of the recipes that come with the package.
+
+    Returns
+    -------
+    tuple of str
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> "glaze" in cz.presets()
+    True
+    """
+    return tuple(sorted(path.stem for path in PRESETS.glob("*.toml")))
+
+
+def preset(name: str) -> Recipe:
+    """A recipe that comes with the package.
+
+    Parameters
+    ----------
+    name : str
+        One of :func:`presets`.
+
+    Returns
+    -------
+    Recipe
+
+    Raises
+    ------
+    ValueError
+        If there is no such preset.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> cz.preset("glaze").crack(rng=1).bounds
+    (0.0, 0.0, 1.0, 1.0)
+    """
+    return Recipe.load(PRESETS / f"{choice(name, 'preset', presets())}.toml")
+
+
+_named = preset
+
+
+def crack(
+    points: ArrayLike | Diagram | None = None,
+    *,
+    preset: str | None = None,
+    n: int | None = None,
+    opening: float | None = None,
+    width: float | None = None,
+    source: ArrayLike | None = None,
+    density: Any = None,
+    bounds: ArrayLike | None = None,
+    period: ArrayLike | None = None,
+    rng: _rng.RNG = None,
+    **steps: Any,
+) -> Crack:
+    """A crack pattern: the walls of a depth-first maze over points, with widths that run out to the free tips.
+
+    Parameters
+    ----------
+    points : (n, 2) array_like or Diagram, optional
+        Where the plates between the cracks are; cracks are finest where points are dense. By default `n` points of the
+        recipe's own.
+    preset : str, optional
+        A recipe by name, see :func:`crazing.presets`. By default the thesis' pattern.
+    n : int, optional
+        Number of points when `points` is not given; 300 by default, or as in the preset.
+    opening : float, optional
+        The share of the maze's passages that are really opened: 1, the default, is the thesis (cracks are trees), 0
+        leaves every plate closed all round. Paint and glaze measure .6 to .85.
+    width : float, optional
+        Width of the longest crack, data units. By default an eighth of the median distance between neighbouring
+        points, or as in the preset.
+    source : (x, y), optional
+        Where the damage starts, data units; the middle of the bounds by default. See `falloff` and `fade` of
+        :class:`crazing.Recipe`.
+    density : array_like or callable, optional
+        Plates are finer where this is larger: an image over the bounds, row 0 at the top, see
+        :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units).
+    bounds : (xmin, ymin, xmax, ymax), optional
+        What the pattern is clipped to, data units. By default the unit square without `points`, else their bounding
+        box grown by a tenth.
+    period : (width, height), optional
+        Make a pattern that repeats: cracks leave on one side and come in on the opposite one. Excludes `bounds`.
+    rng : int, numpy.random.Generator or None, optional
+        Seed. The same seed gives the same pattern on every platform.
+    **steps
+        Any field of :class:`crazing.Recipe`, instead of the preset's.
+
+    Returns
+    -------
+    Crack
+
+    Raises
+    ------
+    TypeError, ValueError
+        If both `points` and `n` are given, a number is out of range, or no preset or field has such a name.
+    CrazingError
+        If a coordinate is NaN or infinite.
+
+    Notes
+    -----
+    Source: thesis, section 8; strands, width and the other steps after measurements of real cracks.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> uniform = cz.crack(n=200, rng=7)
+    >>> impact = cz.crack(cz.sample.laplace(200, rng=7), rng=7)
+    >>> uniform.bounds, bool(impact.width.min() == 0)
+    ((0.0, 0.0, 1.0, 1.0), True)
+    >>> cz.crack(preset="glaze", period=(1, 1), rng=7).period
+    (1.0, 1.0)
+    """
+    changes = {"n": n, "opening": opening, **steps}
+    recipe = (Recipe() if preset is None else _named(preset)).replace(
+        **{name: value for name, value in changes.items() if value is not None}
+    )
+    if points is not None and n is not None:
+        raise ValueError("points and n are both given; n is for uniform points without points")
+    return recipe.crack(points, width=width, source=source, density=density, bounds=bounds, period=period, rng=rng)

@@ -1,0 +1,100 @@
+"""Looking for the numbers that make an expensive, noisy function small, without its slopes."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from crazing import rng as _rng
+from crazing import sample
+
+Objective: TypeAlias = Callable[[NDArray[np.float64]], float]
+Progress: TypeAlias = Callable[[int, float], Any]
+
+#: Trials a generation, and the best of them that the next one is drawn about; as many are remembered in all.
+TRIALS, ELITE = 16, 4
+#: What the spread keeps of its old self, so that one lucky generation does not end the search, and its smallest value.
+INERTIA, LEAST_SPREAD = 0.4, 0.015
+
+
+def minimize(
+    objective: Objective,
+    start: Sequence[float] | NDArray[np.float64],
+    spread: Sequence[float] | NDArray[np.float64],
+    *,
+    budget: int,
+    seconds: float | None = None,
+    rng: _rng.RNG = None,
+    progress: Progress | None = None,
+) -> list[NDArray[np.float64]]:
+    """Look for the point of the unit cube where a function is smallest.
+
+    The cross-entropy method: trials are drawn from a normal distribution along each axis, which moves and shrinks to
+    the best of them. With the same seed and `budget` the result is the same; `seconds` make it depend on the machine.
+
+    Parameters
+    ----------
+    objective : callable
+        Takes a point of the unit cube; the smaller the better.
+    start, spread : (d,) array_like
+        Where the search begins, and how far it looks along each axis; 0 keeps a coordinate.
+    budget : int
+        Most evaluations.
+    seconds : float, optional
+        Most time; the evaluation that runs is finished.
+    rng : int, numpy.random.Generator or None, optional
+        Seed.
+    progress : callable, optional
+        Called after each evaluation with the number of evaluations and the smallest value so far.
+
+    Returns
+    -------
+    list of (d,) float64
+        Candidates, of which the caller may choose by a better look: the best points tried, best first, the middle of
+        the last generation, the start.
+
+    Examples
+    --------
+    >>> from crazing.search import minimize
+    >>> found = minimize(lambda x: ((x - 0.3) ** 2).sum(), [0.5, 0.5], [0.3, 0.3], budget=200, rng=1)
+    >>> bool(abs(found[0] - 0.3).max() < 0.03)
+    True
+
+    Notes
+    -----
+    Source: Rubinstein, The cross-entropy method for combinatorial and continuous optimization, 1999.
+    """
+    seed = np.random.default_rng(rng)
+    ending = None if seconds is None else time.monotonic() + seconds
+    middle, width = np.asarray(start, dtype=np.float64), np.asarray(spread, dtype=np.float64)
+    first, kept = middle, [(np.inf, 0, middle)]
+    spent = 0
+    while spent < budget:
+        points = _drawn(middle, width, seed)
+        if spent == 0:
+            points[0] = first
+        values = np.full(len(points), np.inf)
+        for i, point in enumerate(points[: budget - spent]):
+            values[i] = objective(point)
+            spent += 1
+            kept = sorted([*kept, (float(values[i]), spent, point)], key=lambda each: each[:2])[:ELITE]
+            if progress is not None:
+                progress(spent, kept[0][0])
+            if ending is not None and time.monotonic() > ending:
+                return [*(each[2] for each in kept), middle, first]
+        if np.isfinite(values).sum() >= ELITE:
+            elite = points[np.argsort(values, kind="stable")[:ELITE]]
+            middle = elite.mean(axis=0)
+            fresh = INERTIA * width + (1 - INERTIA) * elite.std(axis=0)
+            width = np.where(width > 0, np.maximum(fresh, LEAST_SPREAD), 0.0)
+    return [*(each[2] for each in kept), middle, first]
+
+
+def _drawn(middle: NDArray[np.float64], width: NDArray[np.float64], seed: np.random.Generator) -> NDArray[np.float64]:
+    """One generation, in the unit cube: what falls outside is put on its side."""
+    draws = sample.normal(TRIALS * len(middle), rng=seed)[:, 0].reshape(TRIALS, len(middle))
+    return np.asarray(np.clip(middle + width * draws, 0.0, 1.0))

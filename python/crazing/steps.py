@@ -1,0 +1,602 @@
+"""The steps of a crack, from drawing to drawing: what recipes are composed of, each usable alone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from crazing import _core, arguments
+from crazing.crack import Crack
+from crazing.diagram import diagram
+from crazing.graph import PlanarGraph
+from crazing.maze import Maze
+from crazing.record import Record
+from crazing.rng import RNG, key
+
+__all__ = ["Drawing", "draw", "follow", "impact", "roughen", "split", "straighten", "walls", "warp", "widen"]
+
+Bounds: TypeAlias = tuple[float, float, float, float]
+#: Vertices, edges, shifts, period, cut.
+Net: TypeAlias = tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int8], tuple[float, float], NDArray[np.bool_]]
+#: Anchors, kites and shifts.
+Fence: TypeAlias = tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int8]]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Drawing(Record):
+    """Cracks on their way through the steps: edges, and what keeps them from crossing.
+
+    Attributes
+    ----------
+    vertices : (v, 2) float64
+        Positions; on a torus they may have left the period.
+    edges : (e, 2) int32
+        Rows of `vertices`.
+    shifts : (e, 2) int8
+        Periods that each edge crosses; no rows in the plane.
+    period : (width, height)
+        What is repeated; zeros in the plane.
+    cut : (v,) bool
+        Vertices on the bounds, where an edge was cut.
+    bounds : (xmin, ymin, xmax, ymax)
+        What the drawing is clipped to; on a torus one period.
+    fence : tuple of arrays
+        Anchors (a, 2) float64, points that stay; kites (k, 4) int32: `a`, `b` and the corners to the left and right of
+        the edge from `a` to `b`, rows of vertices and then anchors, -1 for none; their shifts (k, 6) int8. Kite `k` is
+        about edge `k`, more may follow. Vertices move only as long as the triangles of the kites keep their sense.
+    partner : (2 e,) int32
+        The end that each edge end continues into; end 2 k + i is end i of edge k; -1 for none.
+    age : (e,) int32
+        Of the crack of each edge, low is old; no rows where length decides.
+    """
+
+    vertices: NDArray[np.float64]
+    edges: NDArray[np.int32]
+    shifts: NDArray[np.int8]
+    period: tuple[float, float]
+    cut: NDArray[np.bool_]
+    bounds: Bounds
+    fence: Fence
+    partner: NDArray[np.int32]
+    age: NDArray[np.int32]
+
+    @property
+    def net(self) -> Net:
+        """Vertices, edges, shifts, period and cut, as the core takes them."""
+        return self.vertices, self.edges, self.shifts, self.period, self.cut
+
+    def __repr__(self) -> str:
+        return f"Drawing({len(self.edges)} edges, bounds {self.bounds})"
+
+
+def _paired(net: Net, fence: Fence, bounds: Bounds) -> Drawing:
+    return Drawing(*net, bounds, fence, _core.crack_pairs(net, np.pi), np.empty(0, dtype=np.int32))
+
+
+def walls(maze: Maze) -> Drawing:
+    """The walls of a maze of Voronoi cells.
+
+    Parameters
+    ----------
+    maze : Maze
+        In the plane or on a torus; its cells are the fence.
+
+    Returns
+    -------
+    Drawing
+        The thesis' pattern.
+
+    Raises
+    ------
+    ValueError
+        If the cells of the maze are triangles, or it is within a shape.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> m = cz.maze(cz.sample.uniform(50, rng=2), bounds=(0, 0, 1, 1), rng=2)
+    >>> cz.steps.walls(m).bounds
+    (0.0, 0.0, 1.0, 1.0)
+    """
+    return _paired(*_walls(maze), maze.bounds)
+
+
+def _walls(maze: Maze) -> tuple[Net, Fence]:
+    d = maze.diagram
+    if maze.cells != "voronoi" or maze.region is not None:
+        raise ValueError("a maze of triangles or within a shape; one of Voronoi cells is wanted")
+    if d.period is None:
+        return _core.crack_walls(d.arrays, maze.open, maze.bounds)
+    shifts = np.ascontiguousarray(d.shifts), np.ascontiguousarray(d.dual_shifts)
+    return _core.crack_walls_on_torus(d.arrays, maze.open, *shifts, d.period)
+
+
+def stretched(maze: Maze, matrix: NDArray[np.float64], centre: NDArray[np.float64], bounds: Bounds) -> Drawing:
+    """The walls of a maze carved in a frame: mapped back by `matrix` about `centre`, and trimmed to `bounds`."""
+    (vertices, edges, shifts, period, cut), (anchors, kites, turns) = _walls(maze)
+    back = [np.ascontiguousarray(points @ matrix.T + centre) for points in (vertices, anchors)]
+    if any(period):
+        sides = np.abs(matrix) @ np.asarray(period)
+        if abs(matrix[0, 1]) > abs(matrix[0, 0]):  # A quarter turn: what crossed the one side crosses the other.
+            turn = np.sign(matrix[0, 1]), np.sign(matrix[1, 0])
+            shifts = np.ascontiguousarray(shifts[:, ::-1] * np.array(turn, dtype=np.int8))
+            turns = np.ascontiguousarray(turns.reshape(-1, 3, 2)[:, :, ::-1] * np.array(turn, dtype=np.int8))
+            turns = turns.reshape(-1, 6)
+        period = float(sides[0]), float(sides[1])
+        return _paired((back[0], edges, shifts, period, cut), (back[1], kites, turns), bounds)
+    net, fence = (back[0], edges, shifts, period, cut), (back[1], kites, turns)
+    nobody = np.full(2 * len(edges), -1, dtype=np.int32)
+    net, fence, _, _ = _core.crack_trim(net, fence, nobody, [], bounds)
+    return _paired(net, fence, bounds)
+
+
+def draw(graph: PlanarGraph, *, bounds: Sequence[float] | None = None) -> Drawing:
+    """Any drawing of straight edges that do not cross, ready for the steps.
+
+    Parameters
+    ----------
+    graph : PlanarGraph
+        In the plane. Vertices at one place are merged, those without an edge left out.
+    bounds : (xmin, ymin, xmax, ymax), optional
+        Vertices on their sides stay there; the box around the edges, grown by a tenth, by default.
+
+    Returns
+    -------
+    Drawing
+        Its fence is the constrained Delaunay triangulation about the edges.
+
+    Raises
+    ------
+    CrazingError
+        If edges cross or overlap.
+    TypeError, ValueError
+        If the bounds are none.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> zigzag = cz.PlanarGraph([(0, 0), (1, 1), (2, 0), (3, 1)], [(0, 1), (1, 2), (2, 3)])
+    >>> straight = cz.steps.straighten(cz.steps.draw(zigzag), rounds=9)
+    >>> bool(abs(straight.vertices - zigzag.vertices).max() > 0.2)
+    True
+    """
+    small = graph.compact()
+    if bounds is None:
+        low, high = (np.min(small.vertices, axis=0), np.max(small.vertices, axis=0)) if len(small.edges) else (0, 1)
+        margin = 0.1 * (float(np.max(np.subtract(high, low))) or 1.0)
+        bounds = (*np.subtract(low, margin) * np.ones(2), *np.add(high, margin) * np.ones(2))
+    box = arguments.bounds_tuple(bounds)
+    places = diagram(small.vertices)
+    vertices, edges = places.sites, places.site_of[small.edges]
+    sides = np.reshape(box, (2, 2))
+    cut = (vertices == sides[0]).any(axis=1) | (vertices == sides[1]).any(axis=1)
+    net: Net = vertices, np.ascontiguousarray(edges), np.empty((0, 2), dtype=np.int8), (0.0, 0.0), cut
+    low, high = (
+        np.minimum(sides[0], vertices.min(axis=0, initial=np.inf)),
+        np.maximum(sides[1], vertices.max(axis=0, initial=-np.inf)),
+    )
+    return _paired(net, fenced(net, (*(1.5 * low - 0.5 * high), *(1.5 * high - 0.5 * low))), box)
+
+
+def fenced(net: Net, box: Sequence[float]) -> Fence:
+    """The triangles about edges that leave no period, in a box that holds them all."""
+    vertices, edges, shifts, _, _ = net
+    xmin, ymin, xmax, ymax = box
+    anchors = np.array([(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)])
+    d = diagram(np.concatenate([vertices, anchors]), constraints=edges)
+    # The corner of the triangle on either side of an edge that is no end of it.
+    ends, sides = d.edges.astype(np.int64), d.dual_edges
+    third = d.triangles.astype(np.int64)[sides].sum(axis=2) - ends.sum(axis=1)[:, None]
+    third[sides < 0] = -1
+    kites = np.column_stack([ends, third[:, ::-1]])
+    name = np.sort(ends, axis=1) @ (len(d.sites), 1)
+    order = np.argsort(name)
+    wanted = np.sort(edges.astype(np.int64), axis=1) @ (len(d.sites), 1)
+    rows = order[np.searchsorted(name[order], wanted)]
+    own = kites[rows]
+    turned = own[:, 0] != edges[:, 0]
+    own[turned] = own[turned][:, [1, 0, 3, 2]]
+    others = np.ones(len(kites), dtype=bool)
+    others[rows] = False
+    found = np.ascontiguousarray(np.concatenate([own, kites[others]]), dtype=np.int32)
+    return anchors, found, np.zeros((len(found) if len(shifts) else 0, 6), dtype=np.int8)
+
+
+def split(
+    n: int,
+    *,
+    bounds: Sequence[float] = (0, 0, 1, 1),
+    period: Sequence[float] | None = None,
+    jitter: float = 0.3,
+    bend: float = 1.0,
+    anisotropy: float = 1.0,
+    angle: float = 0.0,
+    density: tuple[NDArray[np.float64], Bounds] | None = None,
+    rng: RNG = None,
+) -> Drawing:
+    """Cracks that split cell after cell, each meeting the older ones at right angles.
+
+    Parameters
+    ----------
+    n : int
+        Number of cells in the end.
+    bounds : (xmin, ymin, xmax, ymax)
+        What is split, data units.
+    period : (width, height), optional
+        What is repeated, instead of `bounds`; its first cells are those of four points.
+    jitter : float
+        Standard deviation of the logarithm of the size by which the next cell is chosen: 0 makes all alike.
+    bend : float
+        How far new cracks bend to meet old ones at right angles, 0 to 1.
+    anisotropy : float
+        Cells are about this many times as long, along `angle`, as they are wide.
+    angle : float
+        Degrees from the x axis.
+    density : (pixels, bounds), optional
+        Cells are smaller where the pixels, row 0 at the top, are larger.
+    rng : int, numpy.random.Generator or None
+        Seed.
+
+    Returns
+    -------
+    Drawing
+        Its cracks know their age.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of the wrong type or out of range.
+
+    Notes
+    -----
+    Source: after Bohn, Pauchard, Couder: Hierarchical crack pattern as formed by successive domain divisions (2005).
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> int(cz.steps.split(20, rng=1).age.max()) + 1
+    19
+    """
+    box = _box(bounds, period)
+    found = _core.crack_split(
+        box,
+        period is not None,
+        arguments.count(n, "n"),
+        arguments.number(jitter, "jitter", low=0, high=8),
+        arguments.number(bend, "bend", low=0, high=1),
+        arguments.number(anisotropy, "anisotropy", low=1, high=100),
+        float(np.radians(arguments.number(angle, "angle"))),
+        density,
+        key(rng),
+    )
+    return Drawing(*found[0], box, *found[1:])
+
+
+def impact(
+    n: int,
+    *,
+    source: Sequence[float] | None = None,
+    speed: float = 200.0,
+    arcs: float = 0.8,
+    bounds: Sequence[float] = (0, 0, 1, 1),
+    period: Sequence[float] | None = None,
+    rng: RNG = None,
+) -> Drawing:
+    """Cracks of an impact on glass: straight spokes, then arcs between them.
+
+    Parameters
+    ----------
+    n : int
+        About how many pieces there are in the end.
+    source : (x, y), optional
+        Where, data units; the middle by default.
+    speed : float
+        Of what hits, km/h: the number of spokes grows as its square root, 4 at 70 and 8 at 280.
+    arcs : float
+        The share of arcs that are there near the source; fewer farther out.
+    bounds : (xmin, ymin, xmax, ymax)
+        What the cracks are clipped to, data units.
+    period : (width, height), optional
+        What is repeated, instead of `bounds`.
+    rng : int, numpy.random.Generator or None
+        Seed.
+
+    Returns
+    -------
+    Drawing
+        Its cracks know their age.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of the wrong type or out of range.
+
+    Notes
+    -----
+    Source: Vandenberghe, Vermorel, Villermaux: Star-Shaped Crack Pattern of Broken Windows (PRL 2013).
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> drawing = cz.steps.impact(60, speed=280, rng=1)
+    >>> int((drawing.edges == drawing.edges[0, 0]).sum())
+    8
+    """
+    box = _box(bounds, period)
+    x, y = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2) if source is None else source
+    found = _core.crack_impact(
+        box,
+        period is not None,
+        (arguments.number(x, "source[0]"), arguments.number(y, "source[1]")),
+        arguments.number(speed, "speed", low=1e-3, high=1e6),
+        arguments.count(n, "n"),
+        arguments.number(arcs, "arcs", low=0, high=1),
+        key(rng),
+    )
+    return Drawing(*found[0], box, *found[1:])
+
+
+def _box(bounds: Sequence[float], period: Sequence[float] | None) -> Bounds:
+    if period is None:
+        return arguments.bounds_tuple(bounds)
+    return 0.0, 0.0, *arguments.period_pair(period)
+
+
+def follow(drawing: Drawing, *, turn: float = 60.0) -> Drawing:
+    """Follow the cracks anew: at a junction a crack goes on only where it turns by no more than an angle.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    turn : float
+        Degrees, 0 to 180.
+
+    Returns
+    -------
+    Drawing
+        The same edges; cracks have no age but their length.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the angle is out of range.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> plain = cz.steps.walls(cz.maze(cz.sample.uniform(50, rng=2), rng=2))
+    >>> bool((cz.steps.follow(plain, turn=20).partner == -1).sum() > (plain.partner == -1).sum())
+    True
+    """
+    sharpest = float(np.radians(arguments.number(turn, "turn", low=0, high=180)))
+    partner = _core.crack_pairs(drawing.net, sharpest)
+    return replace(drawing, partner=partner, age=np.empty(0, dtype=np.int32))
+
+
+def straighten(
+    drawing: Drawing, *, rounds: int = 5, pull: float = 0.64, slide: float = 0.18, clamp: float = 0.2
+) -> Drawing:
+    """Pull cracks straight, and slide them so that cracks that abut meet them at right angles.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    rounds : int
+        2 to 5 measure like paint, 40 are too straight.
+    pull : float
+        The part of the way to the chord between its neighbours that a vertex goes in a round.
+    slide : float
+        The part of the way along the chord to where the abutting crack meets it at 90 degrees.
+    clamp : float
+        The part of the chord at both ends that sliding keeps out of.
+
+    Returns
+    -------
+    Drawing
+        The same edges. None crosses another or changes sides: moves that would are halved twice, then left out.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of the wrong type or out of range.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> m = cz.maze(cz.sample.uniform(50, rng=2), bounds=(0, 0, 1, 1), rng=2)
+    >>> plain = cz.steps.walls(m)
+    >>> straight = cz.steps.straighten(plain, rounds=3)
+    >>> cz.PlanarGraph(straight.vertices, straight.edges).length < m.walls.length
+    True
+    """
+    moved = _core.crack_straighten(
+        drawing.net,
+        drawing.partner,
+        drawing.fence,
+        arguments.count(rounds, "rounds", high=100_000),
+        arguments.number(pull, "pull", low=0, high=1),
+        arguments.number(slide, "slide", low=0, high=1),
+        arguments.number(clamp, "clamp", low=0, high=0.5),
+    )
+    return replace(drawing, vertices=moved)
+
+
+def roughen(
+    drawing: Drawing,
+    *,
+    roughness: float,
+    unit: float,
+    hurst: float = 0.7,
+    grain: float = 0.15,
+    rng: RNG = None,
+) -> Drawing:
+    """Let cracks wander: 1/f displacement, zero at junctions and ends; edges are subdivided.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    roughness : float
+        Standard deviation in the middle of a crack as long as `unit`, as a part of it.
+    unit : float
+        A length, data units; recipes take the spacing of the plates.
+    hurst : float
+        Deviation grows with this power of length: .5 is a random walk, .7 is what real cracks show.
+    grain : float
+        Edges are halved until no longer than this many units.
+    rng : int, numpy.random.Generator or None
+        Seed.
+
+    Returns
+    -------
+    Drawing
+        Junctions and what they join are the same, and nothing new crosses: an edge wanders within its own kite.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of the wrong type or out of range.
+
+    Notes
+    -----
+    Source: Fournier, Fussell, Carpenter: Computer Rendering of Stochastic Models (1982).
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> smooth = cz.steps.split(20, rng=1)
+    >>> rough = cz.steps.roughen(smooth, roughness=0.05, unit=0.2, rng=1)
+    >>> len(rough.edges) > len(smooth.edges)
+    True
+    """
+    unit = arguments.number(unit, "unit", low=0)
+    net, partner, origin = _core.crack_roughen(
+        drawing.net,
+        drawing.partner,
+        drawing.fence,
+        arguments.number(roughness, "roughness", low=0, high=10),
+        arguments.number(hurst, "hurst", low=0, high=2),
+        unit,
+        unit * arguments.number(grain, "grain", low=0, high=1e6),
+        key(rng),
+    )
+    # Pieces have no room of their own: a rough drawing takes no more steps that move it.
+    nothing = np.full((len(net[1]), 2), -1, dtype=np.int32)
+    kites = np.ascontiguousarray(np.concatenate([net[1], nothing], axis=1))
+    fence = np.empty((0, 2)), kites, np.zeros((len(kites) if any(net[3]) else 0, 6), dtype=np.int8)
+    age = drawing.age[origin] if len(drawing.age) else drawing.age
+    return Drawing(*net, drawing.bounds, fence, partner, age)
+
+
+def warp(drawing: Drawing, *, amplitude: float, rng: RNG = None) -> Drawing:
+    """Warp the whole drawing smoothly: no line stays quite straight, no angle quite even.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    amplitude : float
+        Standard deviation of the displacement along each axis, data units.
+    rng : int, numpy.random.Generator or None
+        Seed.
+
+    Returns
+    -------
+    Drawing
+        The same edges; none crosses another or changes sides. Ends on the bounds stay.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of the wrong type or out of range.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> plain = cz.steps.split(20, rng=1)
+    >>> bool((cz.steps.warp(plain, amplitude=0.01, rng=1).vertices != plain.vertices).any())
+    True
+    """
+    amplitude = arguments.number(amplitude, "amplitude", low=0)
+    return replace(drawing, vertices=_core.crack_warp(drawing.net, drawing.fence, amplitude, drawing.bounds, key(rng)))
+
+
+def widen(
+    drawing: Drawing,
+    *,
+    width: float,
+    hierarchy: float = 0.5,
+    shrink: float = 1.0,
+    taper: float = 0.5,
+    abutting: float = 0.6,
+    unevenness: float = 0.0,
+    unit: float = 1.0,
+    source: Sequence[float] = (0.0, 0.0),
+    reach: float = 1.0,
+    fade: float = 0.0,
+    rng: RNG = None,
+) -> Crack:
+    """Give cracks their width: old and long ones are wide, free tips run out to a point.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    width : float
+        Of the longest crack, data units.
+    hierarchy : float
+        Width grows with this power of the length of a crack.
+    shrink : float
+        Width is this part of the parent generation's.
+    taper : float
+        The part of a crack over which a free tip runs out.
+    abutting : float
+        Width of an abutting end, as a part of the crack's own.
+    unevenness : float
+        Standard deviation of the logarithm of width from crack to crack; half of it along a crack.
+    unit : float
+        The length over which width changes along a crack, data units.
+    source : (x, y)
+        Where width is full; on a torus its copies too.
+    reach, fade : float
+        At a distance d from the source width is ``(1 + (d / reach)**2)**(-fade / 2)`` of it.
+    rng : int, numpy.random.Generator or None
+        Seed.
+
+    Returns
+    -------
+    Crack
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of the wrong type or out of range.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> c = cz.steps.widen(cz.steps.split(20, rng=1), width=0.01, hierarchy=0, shrink=0.8)
+    >>> float(c.width.max())
+    0.01
+    """
+    x, y = source
+    profile = (
+        arguments.number(width, "width", low=0),
+        arguments.number(hierarchy, "hierarchy", low=0),
+        arguments.number(shrink, "shrink", low=0),
+        arguments.number(taper, "taper", low=0),
+        arguments.number(abutting, "abutting", low=0),
+        arguments.number(unevenness, "unevenness", low=0, high=4),
+        arguments.number(unit, "unit", low=0),
+        (arguments.number(x, "source[0]"), arguments.number(y, "source[1]")),
+        arguments.number(reach, "reach", low=1e-300),
+        arguments.number(fade, "fade", low=0, high=100),
+    )
+    found = _core.crack_widths(drawing.net, drawing.partner, np.ascontiguousarray(drawing.age), profile, key(rng))
+    widths, strand, generation, parent = found
+    vertices, edges, shifts, period, _ = _core.crack_wrap(drawing.net)
+    graph = PlanarGraph(vertices, edges)
+    if not any(period):
+        return Crack(graph, widths, strand, generation, drawing.bounds, parent=parent)
+    return Crack(graph, widths, strand, generation, drawing.bounds, period, shifts, parent)

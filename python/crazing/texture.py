@@ -1,0 +1,433 @@
+"""Textures: aligned maps of a crack pattern."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from crazing import _core, arguments, provenance
+from crazing import rng as _rng
+from crazing.material import Material, preset_material
+from crazing.pictures import output
+from crazing.pictures.samples import sources
+from crazing.render import MAX_PIXELS
+from crazing.shade import shade
+
+#: Every map: its type and its channels.
+MAPS: dict[str, tuple[type[np.generic], int]] = {
+    "color": (np.uint8, 3),
+    "mask": (np.uint8, 1),
+    "height": (np.float32, 1),
+    "normal": (np.float32, 3),
+    "ao": (np.float32, 1),
+    "roughness": (np.float32, 1),
+    "wear": (np.float32, 1),
+    "distance": (np.float32, 1),
+    "direction": (np.float32, 2),
+    "cell": (np.int32, 1),
+    "strand": (np.int32, 1),
+    "generation": (np.int32, 1),
+}
+
+#: Most pixels a side of a picture that a plan may have; a window of it has at most `MAX_PIXELS`.
+MAX_SIDE = 1 << 20
+
+Bounds = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class TexturePlan:
+    """A texture that is drawn window by window. Made by :func:`crazing.texture_plan`.
+
+    Attributes
+    ----------
+    crack : Crack
+        The pattern.
+    size : (height, width)
+        Pixels of the whole.
+    maps : tuple of str
+        Names of the maps.
+    material : Material
+        Profile and colours.
+    bounds : (xmin, ymin, xmax, ymax)
+        What the whole shows, data units.
+    seed : int
+        Seed of grain, patches and the differences between plates.
+    threads : int or None
+        None takes all cores.
+    """
+
+    crack: Any
+    size: tuple[int, int]
+    maps: tuple[str, ...]
+    material: Material
+    bounds: Bounds
+    seed: int = 0
+    threads: int | None = None
+    _arrays: tuple[Any, ...] = field(default=(), repr=False)
+    _sides: tuple[Any, ...] = field(default=(), repr=False)
+    _scaled: dict[str, Any] = field(default_factory=dict, repr=False)
+
+    @property
+    def period(self) -> tuple[float, float] | None:
+        """(width, height) after which the pattern repeats, data units, or None."""
+        return getattr(self.crack, "period", None)
+
+    @property
+    def scale(self) -> float:
+        """Pixels a data unit."""
+        xmin, ymin, xmax, ymax = self.bounds
+        return min(self.size[1] / (xmax - xmin), self.size[0] / (ymax - ymin))
+
+    @property
+    def relief(self) -> float:
+        """What the range of heights from 0 to 1 is, data units."""
+        return float(self._scaled["relief"])
+
+    def window(self, top: int, left: int, height: int, width: int) -> dict[str, NDArray[Any]]:
+        """Draw a part of the texture, bit for bit as the whole has it.
+
+        Parameters
+        ----------
+        top, left : int
+            Its first row and column; it may reach beyond the whole, and a periodic pattern goes on there.
+        height, width : int
+            Its size in pixels, at most 2**30 of them.
+
+        Returns
+        -------
+        dict of str to array
+            The maps by name, as in :class:`Texture`.
+
+        Raises
+        ------
+        MemoryError
+            When the maps do not fit into memory.
+        """
+        far = 1 << 30
+        top, left = (arguments.count(value, name, low=-far, high=far) for value, name in ((top, "top"), (left, "left")))
+        height, width = arguments.count(height, "height", low=1), arguments.count(width, "width", low=1)
+        if height * width > MAX_PIXELS:
+            raise ValueError(f"{height} x {width} are {height * width} pixels; at most {MAX_PIXELS} are supported")
+        maps = {name: _empty(name, height, width) for name in self.maps}
+        window = (top, left, height, width)
+        key, workers = _rng.key(self.seed), arguments.thread_count(self.threads)
+        given = (self._arrays, self._sides, self.bounds, self.size, self.period, window, self._scaled)
+        _core.texture(*given, key, workers, maps)
+        return maps
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Texture(Mapping[str, NDArray[Any]]):
+    """Maps by name, all of one size and aligned. Made by :func:`crazing.texture`.
+
+    Row 0 is the top; y points up in the data and in the vectors. ``color`` (H, W, 3) uint8 sRGB without light;
+    ``mask`` (H, W) uint8 coverage by the crack; ``height`` (H, W) float32 from 0 to 1; ``normal`` (H, W, 3) float32
+    unit vectors, OpenGL (+Y up); ``ao`` float32, 1 where nothing hides the sky; ``roughness`` and ``wear`` float32
+    from 0 to 1; ``distance`` float32, data units to the nearest crack edge, negative inside; ``direction`` (H, W, 2)
+    float32 unit vectors along the nearest crack; ``cell`` int32, the plate; ``strand`` and ``generation`` int32,
+    -1 off the crack, which ends half a pixel beside its edge.
+
+    Attributes
+    ----------
+    maps : dict of str to array
+        Read-only.
+    size : (height, width)
+        Pixels.
+    bounds : (xmin, ymin, xmax, ymax)
+        What is shown, data units.
+    period : (width, height) or None
+        After which the pattern repeats, data units.
+    scale : float
+        Pixels a data unit.
+    material : Material
+        Profile and colours.
+    relief : float
+        What the range of heights from 0 to 1 is, data units.
+    seed : int
+        Seed of grain, patches and the differences between plates.
+    crack : Crack
+        The pattern.
+    """
+
+    maps: dict[str, NDArray[Any]]
+    size: tuple[int, int]
+    bounds: Bounds
+    period: tuple[float, float] | None
+    scale: float
+    material: Material
+    relief: float
+    seed: int
+    crack: Any
+
+    def __post_init__(self) -> None:
+        for array in self.maps.values():
+            array.flags.writeable = False
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        return self.maps[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.maps)
+
+    def __len__(self) -> int:
+        return len(self.maps)
+
+    def lit(self, **how: Any) -> NDArray[np.uint8]:
+        """Show the texture under a light.
+
+        Parameters
+        ----------
+        **how
+            As for :func:`crazing.shade`.
+
+        Returns
+        -------
+        (H, W, 3) uint8
+            sRGB.
+        """
+        return shade(self, **how)
+
+    def __repr__(self) -> str:
+        return f"Texture({self.size[0]} x {self.size[1]}: {', '.join(self.maps)})"
+
+    def save(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        maps: str | Iterable[str] | None = None,
+        format: str | None = None,
+        layout: str = "plain",
+        name: str = "texture",
+        metres: float = 1.0,
+        origin: Mapping[str, Any] | None = None,
+    ) -> tuple[Path, ...]:
+        """Write maps into files, each whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path-like
+            A file for one map: its ending is ``.png``, ``.tif``, ``.exr`` or ``.zarr``. Else a folder for several,
+            which also gets a MaterialX file, and glTF with PNG, when there is colour.
+        maps : str or sequence of str, optional
+            Which maps; all that there are by default. ``"normal_gl"``, ``"normal_dx"`` and ``"orm"`` are as for
+            :func:`crazing.write_texture`.
+        format, layout, name, metres, origin
+            As for :func:`crazing.write_texture`.
+
+        Returns
+        -------
+        tuple of Path
+            The files.
+
+        Raises
+        ------
+        TypeError, ValueError
+            For arguments of the wrong kind or range, a map that was not drawn, or several maps for one file.
+        CrazingError
+            When a label is too large for PNG.
+        ImportError
+            When a format needs a package that is not installed.
+        OSError
+            When a file cannot be written.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> t = cz.texture(cz.crack(n=50, rng=1), 64, maps=["color", "normal"])
+        >>> [path.name for path in t.save("glaze", layout="polyhaven", name="glaze")[:2]]
+        ['glaze_diff_64.png', 'glaze_nor_gl_64.png']
+        """
+        wanted = output.Wanted(tuple(self.maps) if maps is None else output.words(maps), format, layout, name, metres)
+        for source in sources(output.pictures_of(path, wanted)):
+            arguments.choice(source, "a map to be saved", self.maps)
+        shown = output.shown_by(self, provenance.of_crack(self.crack) if origin is None else origin)
+        drawn = self.maps
+        return output.write(
+            path, wanted, shown, lambda top, rows: {name: array[top : top + rows] for name, array in drawn.items()}
+        )
+
+
+def texture_plan(
+    crack: Any,
+    size: int | tuple[int, int],
+    *,
+    maps: str | Iterable[str] = ("color", "mask", "height", "normal", "ao"),
+    material: Material | str | None = None,
+    bounds: ArrayLike | None = None,
+    threads: int | None = None,
+    seed: int = 0,
+) -> TexturePlan:
+    """Prepare a texture that is drawn window by window, however large it is.
+
+    Parameters
+    ----------
+    crack : Crack
+        The pattern.
+    size : int or (height, width)
+        Pixels of the whole; one integer means a square. For a periodic pattern, a period must be a whole number of
+        pixels.
+    maps : sequence of str
+        Names of maps; ``"all"`` for every one.
+    material : Material or str, optional
+        Profile and colours, or the name of a preset that has them.
+    bounds : (xmin, ymin, xmax, ymax), optional
+        What the whole shows, data units; the crack's own bounds by default. One scale in both directions: bounds of
+        another shape than the picture lie centred in it.
+    threads : int, optional
+        None takes all cores.
+    seed : int, optional
+        Seed of grain, patches and the differences between plates.
+
+    Returns
+    -------
+    TexturePlan
+
+    Raises
+    ------
+    TypeError, ValueError
+        For arguments of the wrong kind, shape or range.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> plan = cz.texture_plan(cz.crack(n=50, rng=1), 100_000, maps=["mask"])
+    >>> plan.window(70_000, 20_000, 64, 64)["mask"].shape
+    (64, 64)
+    """
+    shape = arguments.size_pair(size, limit=MAX_SIDE)
+    names = _names(maps)
+    if isinstance(material, str):
+        material = preset_material(material)
+    material = Material() if material is None else material
+    if not isinstance(material, Material):
+        raise TypeError(f"material is {type(material).__name__}; a crazing.Material or the name of a preset is wanted")
+    seed = arguments.count(seed, "seed", high=2**63 - 1)
+    arguments.thread_count(threads)
+    arrays = _pattern(crack)
+    box = arguments.bounds_tuple(crack.bounds if bounds is None else bounds)
+    scaled = _scaled(material, crack, arrays)
+    sides = _sides(names, material, crack, arrays)
+    return TexturePlan(crack, shape, names, material, box, seed, threads, arrays, sides, scaled)
+
+
+def texture(
+    crack: Any,
+    size: int | tuple[int, int],
+    *,
+    maps: str | Iterable[str] = ("color", "mask", "height", "normal", "ao"),
+    material: Material | str | None = None,
+    bounds: ArrayLike | None = None,
+    threads: int | None = None,
+    seed: int = 0,
+) -> Texture:
+    """Draw aligned maps of a crack pattern.
+
+    Every value comes from the geometry of the edges nearest to the pixel's middle. The maps are the same for any
+    number of threads and on every platform, and a periodic pattern gives maps that tile without a seam.
+
+    Parameters
+    ----------
+    crack : Crack
+        The pattern.
+    size : int or (height, width)
+        Pixels; one integer means a square. At most 2**30 pixels; larger ones window by window, with
+        :func:`crazing.texture_plan`. For a periodic pattern, a period must be a whole number of pixels.
+    maps : sequence of str
+        Names of maps; ``"all"`` for every one.
+    material : Material or str, optional
+        Profile and colours, or the name of a preset that has them.
+    bounds : (xmin, ymin, xmax, ymax), optional
+        What is shown, data units; the crack's own bounds by default. One scale in both directions: bounds of
+        another shape than the picture lie centred in it.
+    threads : int, optional
+        None takes all cores.
+    seed : int, optional
+        Seed of grain, patches and the differences between plates.
+
+    Returns
+    -------
+    Texture
+
+    Raises
+    ------
+    TypeError, ValueError
+        For arguments of the wrong kind, shape or range.
+    MemoryError
+        When the maps do not fit into memory.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> t = cz.texture(cz.crack(n=50, rng=1), 64, maps=["mask", "height", "normal"])
+    >>> t
+    Texture(64 x 64: mask, height, normal)
+    >>> t["normal"].shape, t["height"].dtype
+    ((64, 64, 3), dtype('float32'))
+    """
+    plan = texture_plan(crack, size, maps=maps, material=material, bounds=bounds, threads=threads, seed=seed)
+    drawn = plan.window(0, 0, *plan.size)
+    shown = (plan.size, plan.bounds, plan.period, plan.scale, plan.material, plan.relief, plan.seed)
+    return Texture(drawn, *shown, crack)
+
+
+def _names(maps: Any) -> tuple[str, ...]:
+    names = (
+        tuple(MAPS) if isinstance(maps, str) and maps == "all" else (maps,) if isinstance(maps, str) else tuple(maps)
+    )
+    for i, name in enumerate(names):
+        arguments.choice(name, f"maps[{i}]", MAPS)
+    if not names:
+        raise ValueError("maps is empty; name at least one")
+    return tuple(dict.fromkeys(names))
+
+
+def _empty(name: str, height: int, width: int) -> NDArray[Any]:
+    dtype, channels = MAPS[name]
+    return np.empty((height, width) if channels == 1 else (height, width, channels), dtype=dtype)
+
+
+def _pattern(crack: Any) -> tuple[Any, ...]:
+    """Vertices, edges, shifts, width, strand and generation, as the core wants them."""
+    if not all(hasattr(crack, name) for name in ("graph", "width", "strand", "generation", "bounds")):
+        raise TypeError(f"crack is {type(crack).__name__}; a crazing.Crack is wanted")
+    vertices = arguments.points_array(crack.graph.vertices, "vertices")
+    edges = arguments.index_pairs(crack.graph.edges, "edges", limit=len(vertices))
+    widths = arguments.real_array(crack.width, "width").reshape(-1, 2)
+    shifts = getattr(crack, "shifts", None)
+    shifts = np.zeros((len(edges), 2)) if shifts is None else shifts
+    labels = (np.ascontiguousarray(label, dtype=np.int32) for label in (crack.strand, crack.generation))
+    return vertices, edges, np.ascontiguousarray(shifts, dtype=np.int8).reshape(-1, 2), widths, *labels
+
+
+def _sides(names: tuple[str, ...], material: Material, crack: Any, arrays: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The plates beside every edge, where a map depends on them."""
+    differ = material.tilt or material.level or material.tint or material.curl * material.curl_spread
+    if "cell" in names or (differ and not {*names} <= {"mask", "distance", "strand", "generation", "direction"}):
+        return _core.plates(arrays, arguments.bounds_tuple(crack.bounds), getattr(crack, "period", None))
+    edges = len(arrays[1])
+    return np.zeros((edges, 4), dtype=np.int32), np.zeros((edges, 8)), np.zeros(1)
+
+
+def _scaled(material: Material, crack: Any, arrays: tuple[Any, ...]) -> dict[str, Any]:
+    """The material's fields with all lengths in data units."""
+    vertices, edges, shifts, widths, *_ = arrays
+    period = getattr(crack, "period", None)
+    ends = vertices[edges]
+    step = ends[:, 1] - ends[:, 0] + (shifts * np.asarray(period) if period is not None else 0.0)
+    xmin, ymin, xmax, ymax = crack.bounds
+    area, length = (xmax - xmin) * (ymax - ymin), float(np.hypot(*step.T).sum())
+    plate = 2.0 * area / length if length > 0.0 else max(xmax - xmin, ymax - ymin)
+    widest = float(np.quantile(widths, 0.95)) if widths.size else 0.0
+    scaled = {name: getattr(material, name) for name in material.__dataclass_fields__}
+    for name in ("relief", "chip_size", "curl_width", "grain_size", "mottle_size", "dirt_width", "wear_width"):
+        scaled[name] = scaled[name] * plate
+    for name in ("rim_width", "chip"):
+        scaled[name] = scaled[name] * widest
+    return {**scaled, "widest": widest}

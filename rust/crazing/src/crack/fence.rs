@@ -1,0 +1,185 @@
+//! The fence around a drawing: triangles that pave the plane about its edges. While a vertex moves, all triangles at
+//! it must stay counter-clockwise; then no edge can cross another, and none can change sides.
+//!
+//! The law behind it: triangles that are all counter-clockwise, and whose outline does not move, pave the same region
+//! as before, each point once. Edges are sides of triangles, so they cannot meet but at their ends.
+
+use super::net::NetView;
+use crate::diagram::scale::{Scale, largest};
+use crate::error::{Error, Result};
+use crate::graph::{Point, check_indices};
+use crate::incidence::Incidence;
+use crate::predicates::orientation;
+
+/// No triangle that moves may become flatter than this part of the square of its longest side, unless it was:
+/// copies of a place on a torus differ by roundings, and pictures have a resolution.
+const FLAT: f64 = 1e-9;
+
+/// A sum of two products above this part of their sizes has the sign it seems to have.
+const SURE: f64 = 16.0 * f64::EPSILON;
+
+/// Two triangles an edge: kite `[a, b, left, right]` holds `a b left` and `b a right`. Kite `k` is about edge `k` of
+/// the drawing; more may follow, about edges that are not drawn. Nothing at a kite with a -1 moves.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Fence {
+    /// Points that do not move; numbered after the vertices of the drawing.
+    pub anchors: Vec<Point>,
+    /// Rows of vertices and anchors.
+    pub kites: Vec<[i32; 4]>,
+    /// Periods between `a` and each of `b`, `left`, `right`; empty in the plane.
+    pub shifts: Vec<[i8; 6]>,
+}
+
+/// The arrays of a [`Fence`], borrowed.
+#[derive(Debug, Clone, Copy)]
+pub struct FenceView<'a> {
+    /// See [`Fence::anchors`].
+    pub anchors: &'a [Point],
+    /// See [`Fence::kites`].
+    pub kites: &'a [[i32; 4]],
+    /// See [`Fence::shifts`].
+    pub shifts: &'a [[i8; 6]],
+}
+
+impl Fence {
+    /// Borrows the arrays.
+    pub fn view(&self) -> FenceView<'_> {
+        FenceView { anchors: &self.anchors, kites: &self.kites, shifts: &self.shifts }
+    }
+}
+
+impl FenceView<'_> {
+    /// Checks that the fence fits the drawing.
+    ///
+    /// # Errors
+    /// [`Error::BadIndex`], [`Error::BadLength`], [`Error::Inconsistent`].
+    pub fn check(&self, net: NetView<'_>) -> Result<()> {
+        check_indices("kites", self.kites, NONE_LEFT, net.vertices.len() + self.anchors.len())?;
+        if self.kites.len() < net.edges.len() {
+            return Err(Error::BadLength { array: "kites", found: self.kites.len(), wanted: net.edges.len() });
+        }
+        if !self.shifts.is_empty() && self.shifts.len() != self.kites.len() {
+            return Err(Error::BadLength { array: "shifts", found: self.shifts.len(), wanted: self.kites.len() });
+        }
+        let differs = |k: &usize| self.kites[*k][..2] != net.edges[*k];
+        match (0..net.edges.len()).find(differs).or(self.kites.iter().position(|kite| kite[0] < 0 || kite[1] < 0)) {
+            Some(row) => Err(Error::Inconsistent { array: "kites", row }),
+            None => Ok(()),
+        }
+    }
+}
+
+const NONE_LEFT: i32 = -1;
+
+/// Vertices that move, and what keeps them from crossing.
+pub(super) struct Guard<'a> {
+    fence: FenceView<'a>,
+    period: Point,
+    scale: Scale,
+    /// Vertices, then anchors, in the unit of exact work.
+    points: Vec<Point>,
+    at: Incidence,
+    movable: usize,
+}
+
+impl<'a> Guard<'a> {
+    pub(super) fn of(net: NetView<'_>, fence: FenceView<'a>) -> Self {
+        let scale = Scale::of(largest(net.vertices).max(largest(fence.anchors)).max(net.period[0]).max(net.period[1]));
+        let points: Vec<Point> = net.vertices.iter().chain(fence.anchors).map(|&p| scale.down(p)).collect();
+        let at = Incidence::of(points.len(), fence.kites);
+        Self { fence, period: scale.down(net.period), scale, points, at, movable: net.vertices.len() }
+    }
+
+    pub(super) fn place(&self, vertex: usize) -> Point {
+        self.points[vertex]
+    }
+
+    pub(super) fn period(&self) -> Point {
+        self.period
+    }
+
+    /// Positions of the vertices in the unit of the drawing.
+    pub(super) fn into_vertices(self) -> Vec<Point> {
+        self.points[..self.movable].iter().map(|&p| self.scale.up(p)).collect()
+    }
+
+    /// Moves a vertex by `step`, in the unit of the drawing, as [`Guard::advance`] does.
+    pub(super) fn shove(&mut self, vertex: usize, step: Point) {
+        let (from, step) = (self.points[vertex], self.scale.down(step));
+        self.advance(vertex, [from[0] + step[0], from[1] + step[1]]);
+    }
+
+    /// Moves a vertex to `target`, in the unit of exact work, or part of the way, or not at all.
+    pub(super) fn advance(&mut self, vertex: usize, target: Point) {
+        let from = self.points[vertex];
+        for part in [1.0, 0.5, 0.25] {
+            let to = [0, 1].map(|i| from[i] + part * (target[i] - from[i]));
+            if self.allows(vertex, to) {
+                self.points[vertex] = to;
+                return;
+            }
+        }
+    }
+
+    fn allows(&self, vertex: usize, to: Point) -> bool {
+        to != self.points[vertex]
+            && self.at.at(vertex).iter().all(|&row| {
+                if self.is_clear(row as usize, vertex as i32, to) {
+                    return true;
+                }
+                let kite = self.fence.kites[row as usize];
+                let end = |corner: usize| kite[corner] == vertex as i32;
+                // Vertex and row of a kite may be the same twice: an edge from a place to a copy of it.
+                let (left, right) = (end(0) || end(1) || end(2), end(0) || end(1) || end(3));
+                (!left || self.stays(row as usize, [0, 1, 2], vertex, to))
+                    && (!right || self.stays(row as usize, [1, 0, 3], vertex, to))
+            })
+    }
+
+    /// Whether both triangles of a kite are far from flat after a move: most are, and then no exact arithmetic is needed.
+    #[inline]
+    fn is_clear(&self, row: usize, vertex: i32, to: Point) -> bool {
+        let kite = self.fence.kites[row];
+        if kite[2] < 0 || kite[3] < 0 {
+            return false;
+        }
+        let [a, b, left, right] = [0, 1, 2, 3].map(|i| {
+            let p = if kite[i] == vertex { to } else { self.points[kite[i] as usize] };
+            self.moved(row, i, p)
+        });
+        let from = |p: Point| [p[0] - a[0], p[1] - a[1]];
+        let (along, left, right) = (from(b), from(left), from(right));
+        let square = |p: Point| p[0] * p[0] + p[1] * p[1];
+        // Four times the longer of two sides is more than the square of the third.
+        let clear = |side: Point, sign: f64| {
+            let (p, q) = (along[0] * side[1], along[1] * side[0]);
+            let area = sign * (p - q);
+            area > SURE * (p.abs() + q.abs()) && area >= 4.0 * FLAT * square(along).max(square(side))
+        };
+        clear(left, 1.0) && clear(right, -1.0)
+    }
+
+    /// Whether a triangle of a kite stays counter-clockwise, and is not flattened.
+    fn stays(&self, row: usize, triangle: [usize; 3], vertex: usize, to: Point) -> bool {
+        let kite = self.fence.kites[row];
+        if kite[triangle[2]] < 0 {
+            return false;
+        }
+        let point = |i: usize| self.points[kite[i] as usize];
+        let after = triangle.map(|i| self.moved(row, i, if kite[i] == vertex as i32 { to } else { point(i) }));
+        let [a, b, c] = after;
+        let square = |p: Point, q: Point| (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
+        let floor = FLAT * square(a, b).max(square(b, c)).max(square(c, a));
+        let area = orientation(a, b, c);
+        let before = triangle.map(|i| self.moved(row, i, point(i)));
+        area > 0.0 && (area >= floor || area >= orientation(before[0], before[1], before[2]))
+    }
+
+    #[inline]
+    fn moved(&self, row: usize, corner: usize, p: Point) -> Point {
+        match self.fence.shifts.get(row) {
+            Some(shift) if corner > 0 => [0, 1].map(|i| p[i] + f64::from(shift[2 * (corner - 1) + i]) * self.period[i]),
+            _ => p,
+        }
+    }
+}

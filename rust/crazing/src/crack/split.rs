@@ -1,0 +1,144 @@
+//! Hierarchical cracks: the largest cell is split, and again, every new crack meeting the older ones at right angles.
+
+mod chord;
+mod mesh;
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use super::aged::Aged;
+use crate::clip::{Bounds, check_bounds};
+use crate::error::{Error, Result};
+use crate::graph::Point;
+use crate::quantile;
+use crate::rng::{Key, Rng, stream};
+use crate::sample::{self, Density};
+use crate::watch::Watch;
+use mesh::Mesh;
+
+/// Cells that a torus starts from: it has no first wall that could be split.
+const FOUNDERS: usize = 4;
+
+/// How cells are split.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Splitting {
+    /// How many cells there are in the end.
+    pub cells: usize,
+    /// Standard deviation of the logarithm of the size that decides which cell is next: 0 makes all alike.
+    pub jitter: f64,
+    /// How far new walls bend to meet old ones at right angles, 0 to 1.
+    pub bend: f64,
+    /// Cells are this many times as long, along `angle`, as they are wide.
+    pub anisotropy: f64,
+    /// Radians from the x axis.
+    pub angle: f64,
+}
+
+/// Splits the bounds, or one period of a torus, into cells.
+///
+/// The cell with the largest product of area, density and a lognormal factor is next. It is split near its middle,
+/// across its long axis; the new wall leaves both old ones at a right angle as far as `bend` says.
+///
+/// # Errors
+/// [`Error::BadValue`], [`Error::Interrupted`].
+///
+/// # Source
+/// After Bohn, Pauchard, Couder: Hierarchical crack pattern as formed by successive domain divisions (2005).
+pub fn split(
+    bounds: Bounds,
+    on_torus: bool,
+    how: Splitting,
+    density: Option<Density<'_>>,
+    key: Key,
+    watch: Watch<'_>,
+) -> Result<Aged> {
+    check_bounds(bounds)?;
+    for (name, value) in [("jitter", how.jitter), ("bend", how.bend), ("anisotropy", how.anisotropy - 1e-9)] {
+        if !(value.is_finite() && value >= 0.0) {
+            return Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" });
+        }
+    }
+    let mut rng = Rng::new(key, stream::SPLIT);
+    let mut mesh = if on_torus { founded(bounds, how, key, watch)? } else { Mesh::of_box(bounds) };
+    let mut queue = BinaryHeap::new();
+    let enqueue = |mesh: &Mesh, cell: usize, rng: &mut Rng, queue: &mut BinaryHeap<Next>| {
+        let (area, middle) = mesh.measure(cell);
+        let weight = density.map_or(1.0, |density| density.at(middle));
+        let chance = libm::exp(how.jitter * normal(rng));
+        queue.push(Next { size: area * weight * chance, cell });
+    };
+    for cell in 0..mesh.cells.len() {
+        enqueue(&mesh, cell, &mut rng, &mut queue);
+    }
+    while mesh.cells.len() < how.cells {
+        watch.poll_at(mesh.cells.len())?;
+        let Some(Next { cell, .. }) = queue.pop() else { break };
+        if let Some(wall) = chord::across(&mesh, cell, how, &mut rng) {
+            let other = mesh.divide(cell, &wall);
+            enqueue(&mesh, cell, &mut rng, &mut queue);
+            enqueue(&mesh, other, &mut rng, &mut queue);
+        }
+    }
+    Ok(mesh.finish())
+}
+
+fn normal(rng: &mut Rng) -> f64 {
+    quantile::normal(crate::rng::open_unit(rng.next_u64()))
+}
+
+/// The first cells of a torus: those of a few points, far from each other.
+fn founded(bounds: Bounds, how: Splitting, key: Key, watch: Watch<'_>) -> Result<Mesh> {
+    let period = [bounds[2] - bounds[0], bounds[3] - bounds[1]];
+    let count = FOUNDERS.min(how.cells.max(1));
+    let points = sample::uniform(count, bounds, [key[0], key[1] ^ stream::SPLIT], watch)?;
+    let points = sample::relax(points, 3, bounds, Some(period), watch)?;
+    let torus = crate::diagram::periodic(&points, period, watch)?;
+    let open = vec![false; torus.shifts.len()];
+    let walls = super::on_torus(torus.diagram.view(), &open, &torus.shifts, &torus.dual_shifts, period)?;
+    Ok(Mesh::of_walls(&walls, torus.diagram.sites.len()))
+}
+
+/// A cell that waits to be split; the largest is first, of equal ones the one with the lowest number.
+struct Next {
+    size: f64,
+    cell: usize,
+}
+
+impl PartialEq for Next {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Next {}
+
+impl PartialOrd for Next {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Next {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.size.total_cmp(&other.size).then(other.cell.cmp(&self.cell))
+    }
+}
+
+/// Area, centroid and second moments (xx, xy, yy) of a polygon, about its centroid.
+fn moments(polygon: &[Point]) -> (f64, Point, [f64; 3]) {
+    let origin = polygon[0];
+    let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
+    for i in 0..polygon.len() {
+        let [p, q] = [polygon[i], polygon[(i + 1) % polygon.len()]].map(|p| [p[0] - origin[0], p[1] - origin[1]]);
+        let cross = p[0] * q[1] - p[1] * q[0];
+        area += cross / 2.0;
+        (0..2).for_each(|k| first[k] += cross * (p[k] + q[k]) / 6.0);
+        second[0] += cross * (p[0] * p[0] + p[0] * q[0] + q[0] * q[0]) / 12.0;
+        second[1] += cross * (2.0 * p[0] * p[1] + p[0] * q[1] + q[0] * p[1] + 2.0 * q[0] * q[1]) / 24.0;
+        second[2] += cross * (p[1] * p[1] + p[1] * q[1] + q[1] * q[1]) / 12.0;
+    }
+    let safe = if area > 0.0 { area } else { 1.0 };
+    let [x, y] = first.map(|sum| sum / safe);
+    let about = [second[0] - area * x * x, second[1] - area * x * y, second[2] - area * y * y];
+    (area, [origin[0] + x, origin[1] + y], about)
+}

@@ -1,0 +1,179 @@
+//! Where a new wall runs through a cell.
+
+use super::mesh::Mesh;
+use super::{Splitting, moments, normal};
+use crate::graph::Point;
+use crate::predicates::orientation;
+use crate::rng::Rng;
+
+/// Tries to find a wall that ends far from other junctions.
+const TRIES: usize = 6;
+/// Far enough, in roots of the cell's area.
+const APART: f64 = 0.16;
+/// How far off the middle a wall may lie, in roots of the area, and how far it may turn, radians (both standard
+/// deviations).
+const OFF: f64 = 0.13;
+const TURN: f64 = 0.2;
+/// Pieces of a bent wall.
+const PIECES: usize = 8;
+/// A wall that leaves straighter than this (cosine) is not bent.
+const EVEN: f64 = 0.9995;
+/// No wall ends nearer to a corner of a side than this part of the side.
+const CORNER: f64 = 1e-3;
+
+/// A new wall: the sides of the cell it joins, and its points from the one to the other.
+pub(super) struct Wall {
+    /// Positions in the list of the cell's half-edges.
+    pub(super) sides: [usize; 2],
+    /// In the frame of the cell's polygon.
+    pub(super) points: Vec<Point>,
+}
+
+/// A wall through the middle of a cell, across its long axis; None where no wall fits.
+pub(super) fn across(mesh: &Mesh, cell: usize, how: Splitting, rng: &mut Rng) -> Option<Wall> {
+    let polygon = mesh.polygon(cell);
+    let (area, middle, spread) = moments(&polygon);
+    if area <= 0.0 || !area.is_finite() {
+        return None;
+    }
+    let size = area.sqrt();
+    let along = long_axis(spread, how, rng);
+    let mut best: Option<(f64, Wall)> = None;
+    for _ in 0..TRIES {
+        let (off, turn) = (OFF * size * normal(rng), TURN * normal(rng));
+        let from = [middle[0] + off * along[0], middle[1] + off * along[1]];
+        let (sin, cos) = (libm::sin(turn), libm::cos(turn));
+        let way = [-(sin * along[0] + cos * along[1]), cos * along[0] - sin * along[1]];
+        let Some([a, b]) = hits(&polygon, from, way) else { continue };
+        let gap = mesh.gap(cell, &polygon, a.at).min(mesh.gap(cell, &polygon, b.at)) / size;
+        if best.as_ref().is_some_and(|(most, _)| gap <= *most) || mesh.same_edge(cell, a.side, b.side) {
+            continue;
+        }
+        if let Some(points) = bent(&polygon, [a, b], how.bend) {
+            best = Some((gap, Wall { sides: [a.side, b.side], points }));
+            if gap >= APART {
+                break;
+            }
+        }
+    }
+    best.map(|(_, wall)| wall)
+}
+
+/// Unit vector along the cell's long axis, as it is when the direction of anisotropy is shrunk.
+fn long_axis([xx, xy, yy]: [f64; 3], how: Splitting, rng: &mut Rng) -> Point {
+    let (sin, cos) = (libm::sin(how.angle), libm::cos(how.angle));
+    // In the frame of the anisotropy.
+    let a = (xx * cos * cos + 2.0 * xy * sin * cos + yy * sin * sin) / (how.anisotropy * how.anisotropy);
+    let b = ((yy - xx) * sin * cos + xy * (cos * cos - sin * sin)) / how.anisotropy;
+    let c = xx * sin * sin - 2.0 * xy * sin * cos + yy * cos * cos;
+    let half = 0.5 * libm::atan2(2.0 * b, a - c);
+    // A cell as wide as long has no long axis.
+    let round = libm::hypot(a - c, 2.0 * b) < 0.05 * (a + c);
+    let half = if round { std::f64::consts::PI * rng.unit() } else { half };
+    // The normal of the wall is what is stretched back: a wall lies across the axis in the shrunken frame.
+    let (u, v) = (libm::cos(half) / how.anisotropy, libm::sin(half));
+    let length = libm::hypot(u, v);
+    [(u * cos - v * sin) / length, (u * sin + v * cos) / length]
+}
+
+/// Where a line meets the outline.
+#[derive(Clone, Copy)]
+struct Hit {
+    side: usize,
+    at: Point,
+}
+
+/// The nearest sides before and behind `from`.
+fn hits(polygon: &[Point], from: Point, way: Point) -> Option<[Hit; 2]> {
+    let off = |p: Point| way[0] * (p[1] - from[1]) - way[1] * (p[0] - from[0]);
+    let (mut behind, mut before): (Option<(f64, Hit)>, Option<(f64, Hit)>) = (None, None);
+    for side in 0..polygon.len() {
+        let (p, q) = (polygon[side], polygon[(side + 1) % polygon.len()]);
+        let (s, t) = (off(p), off(q));
+        if (s > 0.0) == (t > 0.0) {
+            continue;
+        }
+        let part = s / (s - t);
+        let at = [p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1])];
+        let far = way[0] * (at[0] - from[0]) + way[1] * (at[1] - from[1]);
+        let fits = (CORNER..1.0 - CORNER).contains(&part);
+        let hit = (far, Hit { side: if fits { side } else { usize::MAX }, at });
+        if far > 0.0 && before.is_none_or(|(least, _)| far < least) {
+            before = Some(hit);
+        } else if far <= 0.0 && behind.is_none_or(|(least, _)| far > least) {
+            behind = Some(hit);
+        }
+    }
+    let (a, b) = (behind?.1, before?.1);
+    (a.side != b.side && a.side != usize::MAX && b.side != usize::MAX).then_some([a, b])
+}
+
+/// The points of a wall between two hits, as bent as fits into the cell.
+fn bent(polygon: &[Point], hits: [Hit; 2], bend: f64) -> Option<Vec<Point>> {
+    [bend, bend / 2.0, bend / 4.0, 0.0]
+        .into_iter()
+        .map(|bend| curve(polygon, hits, bend))
+        .find(|points| fits(polygon, hits, points))
+}
+
+fn curve(polygon: &[Point], [a, b]: [Hit; 2], bend: f64) -> Vec<Point> {
+    let chord = [b.at[0] - a.at[0], b.at[1] - a.at[1]];
+    let length = libm::hypot(chord[0], chord[1]);
+    // Sides run counter-clockwise: the inside is on their left. The wall leaves the first and runs into the second.
+    let tangent = |side: usize, sign: f64| {
+        let (p, q) = (polygon[side], polygon[(side + 1) % polygon.len()]);
+        let (x, y) = (q[0] - p[0], q[1] - p[1]);
+        let size = libm::hypot(x, y);
+        let mixed = [0, 1].map(|i| {
+            let normal = sign * [-y, x][i] / size;
+            bend * normal + (1.0 - bend) * chord[i] / length
+        });
+        let size = libm::hypot(mixed[0], mixed[1]);
+        mixed.map(|x| if size > 0.0 { x * length / size } else { 0.0 })
+    };
+    let (start, end) = (tangent(a.side, 1.0), tangent(b.side, -1.0));
+    let even = |t: Point| t[0] * chord[0] + t[1] * chord[1] > EVEN * length * length;
+    if bend == 0.0 || (even(start) && even(end)) {
+        return vec![a.at, b.at];
+    }
+    let point = |i: usize| {
+        let t = i as f64 / PIECES as f64;
+        let (s, u) = (1.0 - t, t * (1.0 - t));
+        let (first, second) = (s * s * (1.0 + 2.0 * t), t * t * (3.0 - 2.0 * t));
+        [0, 1].map(|k| first * a.at[k] + u * s * start[k] + second * b.at[k] - u * t * end[k])
+    };
+    let inner = (1..PIECES).map(point);
+    std::iter::once(a.at).chain(inner).chain(std::iter::once(b.at)).collect()
+}
+
+/// Whether a wall meets the outline at its ends only.
+fn fits(polygon: &[Point], [a, b]: [Hit; 2], points: &[Point]) -> bool {
+    let ends = |side: usize| (polygon[side], polygon[(side + 1) % polygon.len()]);
+    let last = points.len() - 2;
+    points.windows(2).enumerate().all(|(i, piece)| {
+        (0..polygon.len()).all(|side| {
+            let (p, q) = ends(side);
+            // At the sides it joins the wall must stay on the inner side.
+            if side == a.side && i == 0 {
+                return orientation(p, q, piece[1]) > 0.0;
+            }
+            if side == b.side && i == last {
+                return orientation(p, q, piece[0]) > 0.0;
+            }
+            !meet(piece[0], piece[1], p, q)
+        })
+    })
+}
+
+/// Whether two segments have a point in common; exact.
+fn meet(a: Point, b: Point, p: Point, q: Point) -> bool {
+    let apart = |i: usize| a[i].max(b[i]) < p[i].min(q[i]) || p[i].max(q[i]) < a[i].min(b[i]);
+    if apart(0) || apart(1) {
+        return false;
+    }
+    let beside = |a: Point, b: Point, p: Point, q: Point| {
+        let (s, t) = (orientation(a, b, p), orientation(a, b, q));
+        (s > 0.0 && t > 0.0) || (s < 0.0 && t < 0.0)
+    };
+    !beside(a, b, p, q) && !beside(p, q, a, b)
+}

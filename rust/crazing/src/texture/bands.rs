@@ -1,0 +1,53 @@
+//! Which pieces reach into which band of rows.
+
+use super::grid::UNIT;
+use super::piece::Piece;
+use crate::error::{Error, Result};
+
+/// The pieces of every band, in ascending order.
+#[derive(Debug)]
+pub(super) struct Bands {
+    starts: Vec<usize>,
+    pieces: Vec<u32>,
+}
+
+impl Bands {
+    /// Sorts pieces into `count` bands of `rows` rows each, the first of which begins at row `top`.
+    pub(super) fn new(pieces: &[Piece], left: i64, width: usize, top: i64, rows: usize, count: usize) -> Result<Self> {
+        let height = rows as i64 * UNIT;
+        let (left, right) = (left * UNIT, (left + width as i64) * UNIT);
+        let span = |piece: &Piece| {
+            let region = piece.region();
+            let band = |place: i64| (place - top * UNIT).div_euclid(height);
+            let beside = region[0] >= right || region[2] < left;
+            let (first, last) = (band(region[1]).max(0), band(region[3]).min(count as i64 - 1));
+            if beside || last < first { 0..0 } else { first as usize..last as usize + 1 }
+        };
+        let mut starts = vec![0_usize; count + 1];
+        for piece in pieces {
+            span(piece).for_each(|band| starts[band + 1] += 1);
+        }
+        for band in 0..count {
+            starts[band + 1] += starts[band];
+        }
+        let mut next = starts.clone();
+        let mut sorted = Vec::new();
+        let bytes = 4 * starts[count] as u128;
+        sorted
+            .try_reserve_exact(starts[count])
+            .map_err(|_| Error::OutOfMemory { what: "the edges by bands", bytes })?;
+        sorted.resize(starts[count], 0);
+        for (id, piece) in pieces.iter().enumerate() {
+            for band in span(piece) {
+                sorted[next[band]] = id as u32;
+                next[band] += 1;
+            }
+        }
+        Ok(Self { starts, pieces: sorted })
+    }
+
+    /// The pieces that reach into a band.
+    pub(super) fn of(&self, band: usize) -> &[u32] {
+        &self.pieces[self.starts[band]..self.starts[band + 1]]
+    }
+}

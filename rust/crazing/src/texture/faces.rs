@@ -1,0 +1,372 @@
+//! The plates: the faces between the edges of a crack, as seen from either side of every edge.
+//!
+//! Half-edge `2k` runs from the first to the second end of edge `k`, `2k + 1` back; the face of a half-edge lies to its
+//! left. A walk that turns as far left as it can, goes round a face. Where cracks float inside a plate, a ray to the
+//! left of each finds the walk around it. Without a period the bounds close the plates along them.
+
+use std::f64::consts::PI;
+
+use crate::error::Result;
+use crate::graph::Point;
+use crate::watch::Watch;
+
+use super::Pattern;
+
+/// How near to the bounds a vertex lies on them, as a part of their size.
+const ON_BORDER: f64 = 1e-9;
+
+/// The plates beside the edges.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Plates {
+    /// For every edge the plates to its left, to its right, and behind its first and second end; -1 where an end has
+    /// no plate of its own behind it.
+    pub plates: Vec<[i32; 4]>,
+    /// From the first end of every edge to the middles of these plates, data units.
+    pub middles: Vec<[[f64; 2]; 4]>,
+    /// The farthest corner of each plate from its middle, data units.
+    pub reaches: Vec<f64>,
+}
+
+/// The edges of the crack, then those of the bounds, as vectors between vertices.
+struct Net {
+    places: Vec<Point>,
+    edges: Vec<[usize; 2]>,
+    steps: Vec<Point>,
+    period: Option<Point>,
+    /// Of the crack alone.
+    own: usize,
+}
+
+/// Walks around faces.
+struct Walks {
+    /// The walk of every half-edge, and where in it the half-edge starts, from the start of the walk.
+    of: Vec<(usize, Point)>,
+    walks: Vec<Walk>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Walk {
+    /// Twice its area; not positive around what floats in a face.
+    area: f64,
+    middle: Point,
+    /// The half-edge that starts farthest to the left.
+    left: usize,
+}
+
+/// The plates of a crack; `period` as for its shifts, `bounds` where there is none.
+///
+/// # Errors
+/// [`Error::BadIndex`] or [`Error::BadLength`] for arrays that do not fit; [`Error::Interrupted`].
+pub fn plates(pattern: &Pattern<'_>, bounds: [f64; 4], period: Option<Point>, watch: Watch<'_>) -> Result<Plates> {
+    pattern.check()?;
+    let net = Net::new(pattern, bounds, period);
+    let (starts, leaving) = net.leaving();
+    watch.poll()?;
+    let walks = net.walks(&starts, &leaving);
+    watch.poll()?;
+    let outermost = Net::outermost(&net.parents(&walks, watch)?);
+    Ok(net.number(&walks, &outermost, &starts, &leaving))
+}
+
+fn add(a: Point, b: Point) -> Point {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+fn less(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn cross(a: Point, b: Point) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// Grows with the angle of a vector, from -2 to 2.
+fn turn(v: Point) -> f64 {
+    let part = v[1] / (v[0].abs() + v[1].abs());
+    if v[0] >= 0.0 {
+        part
+    } else if v[1] >= 0.0 {
+        2.0 - part
+    } else {
+        -2.0 - part
+    }
+}
+
+impl Net {
+    fn new(pattern: &Pattern<'_>, bounds: [f64; 4], period: Option<Point>) -> Self {
+        let places = pattern.vertices.to_vec();
+        let edges: Vec<[usize; 2]> = pattern.edges.iter().map(|edge| edge.map(|vertex| vertex as usize)).collect();
+        let step = |(k, edge): (usize, &[usize; 2])| {
+            let step = less(places[edge[1]], places[edge[0]]);
+            let shift =
+                pattern.shifts.get(k).zip(period).map_or([0.0; 2], |(shift, period)| {
+                    [f64::from(shift[0]) * period[0], f64::from(shift[1]) * period[1]]
+                });
+            add(step, shift)
+        };
+        let steps = edges.iter().enumerate().map(step).collect();
+        let own = edges.len();
+        let mut net = Self { places, edges, steps, period, own };
+        if period.is_none() {
+            net.close(bounds);
+        }
+        net
+    }
+
+    /// Adds the bounds as edges, from vertex to vertex on them.
+    fn close(&mut self, bounds: [f64; 4]) {
+        let [xmin, ymin, xmax, ymax] = bounds;
+        let (width, height) = (xmax - xmin, ymax - ymin);
+        let near = ON_BORDER * width.max(height);
+        let mut used = vec![false; self.places.len()];
+        self.edges.as_flattened().iter().for_each(|&vertex| used[vertex] = true);
+        let corners = [[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]];
+        let first = self.places.len();
+        self.places.extend(corners);
+        used.extend([true; 4]);
+        // Places along the bounds, counter-clockwise; a vertex in a corner comes after the corner itself.
+        let along = |[x, y]: Point| {
+            let (right, up) = ((x - xmin).clamp(0.0, width), (y - ymin).clamp(0.0, height));
+            let is_in = (xmin - near..=xmax + near).contains(&x) && (ymin - near..=ymax + near).contains(&y);
+            if !is_in {
+                None
+            } else if (y - ymin).abs() <= near {
+                Some(right)
+            } else if (x - xmax).abs() <= near {
+                Some(width + up)
+            } else if (y - ymax).abs() <= near {
+                Some(width + height + (width - right))
+            } else if (x - xmin).abs() <= near {
+                Some(2.0 * width + height + (height - up))
+            } else {
+                None
+            }
+        };
+        let on =
+            |vertex: usize| along(self.places[vertex]).filter(|_| used[vertex]).map(|at| (at, vertex < first, vertex));
+        let mut border: Vec<(f64, bool, usize)> = (0..self.places.len()).filter_map(on).collect();
+        border.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        for (from, to) in border.iter().zip(border.iter().cycle().skip(1)) {
+            self.edges.push([from.2, to.2]);
+            self.steps.push(less(self.places[to.2], self.places[from.2]));
+        }
+    }
+
+    /// Where a half-edge starts, and its vector.
+    fn half(&self, half: usize) -> (usize, Point) {
+        let (edge, step) = (self.edges[half / 2], self.steps[half / 2]);
+        if half.is_multiple_of(2) { (edge[0], step) } else { (edge[1], [-step[0], -step[1]]) }
+    }
+
+    /// The half-edges that leave every vertex, counter-clockwise; those of vertex `v` from `starts[v]` on.
+    fn leaving(&self) -> (Vec<usize>, Vec<usize>) {
+        let mut starts = vec![0; self.places.len() + 1];
+        self.edges.as_flattened().iter().for_each(|&vertex| starts[vertex + 1] += 1);
+        (0..self.places.len()).for_each(|vertex| starts[vertex + 1] += starts[vertex]);
+        let (mut next, mut leaving) = (starts.clone(), vec![0; 2 * self.edges.len()]);
+        for half in 0..leaving.len() {
+            let vertex = self.half(half).0;
+            leaving[next[vertex]] = half;
+            next[vertex] += 1;
+        }
+        for vertex in starts.windows(2) {
+            let key = |half: &usize| turn(self.half(*half).1);
+            leaving[vertex[0]..vertex[1]].sort_by(|a, b| key(a).total_cmp(&key(b)));
+        }
+        (starts, leaving)
+    }
+
+    /// Walks around every face.
+    fn walks(&self, starts: &[usize], leaving: &[usize]) -> Walks {
+        let mut place = vec![0; leaving.len()];
+        leaving.iter().enumerate().for_each(|(at, &half)| place[half] = at);
+        // At the end of a half-edge: the next one clockwise from the way back.
+        let next = |half: usize| {
+            let (vertex, at) = (self.half(half ^ 1).0, place[half ^ 1]);
+            leaving[if at == starts[vertex] { starts[vertex + 1] - 1 } else { at - 1 }]
+        };
+        let mut walks = Walks { of: vec![(usize::MAX, [0.0; 2]); leaving.len()], walks: Vec::new() };
+        for first in 0..leaving.len() {
+            if walks.of[first].0 != usize::MAX {
+                continue;
+            }
+            let (mut half, mut at, mut area, mut sum, mut mean, mut count) =
+                (first, [0.0; 2], 0.0, [0.0; 2], [0.0; 2], 0.0);
+            let mut left = (first, at);
+            while walks.of[half].0 == usize::MAX {
+                walks.of[half] = (walks.walks.len(), at);
+                if at[0] < left.1[0] {
+                    left = (half, at);
+                }
+                let to = add(at, self.half(half).1);
+                let slice = cross(at, to);
+                (area, count) = (area + slice, count + 1.0);
+                sum = add(sum, [slice * (at[0] + to[0]), slice * (at[1] + to[1])]);
+                mean = add(mean, at);
+                (half, at) = (next(half), to);
+            }
+            let middle = if area > 0.0 { sum.map(|part| part / (3.0 * area)) } else { mean.map(|part| part / count) };
+            walks.walks.push(Walk { area, middle, left: left.0 });
+        }
+        walks
+    }
+
+    /// For every walk around something that floats the walk around the face it floats in, and where that starts.
+    fn parents(&self, walks: &Walks, watch: Watch<'_>) -> Result<Vec<Option<(usize, Point)>>> {
+        let rows = Rows::new(self);
+        let mut parents = Vec::with_capacity(walks.walks.len());
+        for (id, walk) in walks.walks.iter().enumerate() {
+            watch.poll_at(id)?;
+            let start = walks.of[walk.left].1;
+            let hit = (walk.area <= 0.0).then(|| rows.left_of(self, self.places[self.half(walk.left).0])).flatten();
+            parents.push(hit.map(|(half, to_start)| {
+                let (parent, at) = walks.of[half];
+                // The start of the parent's walk, seen from the start of this one.
+                (parent, less(add(start, to_start), at))
+            }));
+        }
+        Ok(parents)
+    }
+
+    /// The outermost walk of every walk's face, and where that starts as seen from there.
+    fn outermost(parents: &[Option<(usize, Point)>]) -> Vec<(usize, Point)> {
+        let mut known: Vec<Option<(usize, Point)>> = vec![None; parents.len()];
+        let mut chain = Vec::new();
+        for walk in 0..parents.len() {
+            let mut at = walk;
+            while let (None, Some((parent, by))) = (known[at], parents[at]) {
+                // On a torus without any crack around it the chain may close: its first walk then speaks for all.
+                known[at] = Some((at, [0.0; 2]));
+                chain.push((at, by));
+                at = parent;
+            }
+            let mut end = *known[at].get_or_insert((at, [0.0; 2]));
+            while let Some((link, by)) = chain.pop() {
+                if link != end.0 {
+                    end = (end.0, add(end.1, by));
+                    known[link] = Some(end);
+                } else {
+                    end = (link, [0.0; 2]);
+                }
+            }
+        }
+        known.into_iter().enumerate().map(|(walk, end)| end.unwrap_or((walk, [0.0; 2]))).collect()
+    }
+
+    fn number(&self, walks: &Walks, outermost: &[(usize, Point)], starts: &[usize], leaving: &[usize]) -> Plates {
+        let mut number = vec![-1; walks.walks.len()];
+        let mut found = Plates::default();
+        let mut outside = None;
+        let mut see = |half: usize, found: &mut Plates| {
+            let (walk, at) = walks.of[half];
+            let (outer, from) = outermost[walk];
+            if number[outer] < 0 {
+                let floats = walks.walks[outer].area <= 0.0;
+                number[outer] = outside.filter(|_| floats).unwrap_or(found.reaches.len() as i32);
+                if number[outer] as usize == found.reaches.len() {
+                    found.reaches.push(0.0);
+                }
+                outside = if floats { Some(number[outer]) } else { outside };
+            }
+            let middle = less(add(from, walks.walks[outer].middle), at);
+            let reach = &mut found.reaches[number[outer] as usize];
+            *reach = reach.max((middle[0] * middle[0] + middle[1] * middle[1]).sqrt());
+            (number[outer], middle)
+        };
+        for k in 0..self.own {
+            let step = self.steps[k];
+            let behind = [0, 1].map(|end| self.widest(self.edges[k][end], starts, leaving));
+            let halves = [2 * k, 2 * k + 1, behind[0].unwrap_or(2 * k), behind[1].unwrap_or(2 * k + 1)];
+            let mut seen = halves.map(|half| see(half, &mut found));
+            for (end, behind) in behind.iter().enumerate() {
+                if behind.is_none() {
+                    seen[2 + end].0 = -1;
+                }
+            }
+            // All as seen from the first end.
+            for slot in [1, 3] {
+                seen[slot].1 = add(seen[slot].1, step);
+            }
+            found.plates.push(seen.map(|(plate, _)| plate));
+            found.middles.push(seen.map(|(_, middle)| middle));
+        }
+        found
+    }
+
+    /// The half-edge that leaves a vertex with more than half a turn free to its left.
+    fn widest(&self, vertex: usize, starts: &[usize], leaving: &[usize]) -> Option<usize> {
+        let around = &leaving[starts[vertex]..starts[vertex + 1]];
+        let is_wide = |(at, &half): (usize, &usize)| {
+            let (a, b) = (self.half(half).1, self.half(around[(at + 1) % around.len()]).1);
+            let angle = libm::atan2(cross(a, b), a[0] * b[0] + a[1] * b[1]);
+            (around.len() == 1 || angle < 0.0 || angle >= PI).then_some(half)
+        };
+        around.iter().enumerate().find_map(is_wide)
+    }
+}
+
+/// Edges by the rows of a grid that they meet.
+struct Rows {
+    bottom: f64,
+    height: f64,
+    rows: Vec<Vec<u32>>,
+}
+
+impl Rows {
+    fn new(net: &Net) -> Self {
+        let ends = |k: usize| {
+            let y = net.places[net.edges[k][0]][1];
+            (y.min(y + net.steps[k][1]), y.max(y + net.steps[k][1]))
+        };
+        let all = 0..net.edges.len();
+        let low = all.clone().map(|k| ends(k).0).fold(f64::INFINITY, f64::min);
+        let high = all.clone().map(|k| ends(k).1).fold(f64::NEG_INFINITY, f64::max);
+        // On a torus a row lies in one period, and edges that leave it come in again.
+        let (bottom, tall) = net.period.map_or((low, (high - low).max(f64::MIN_POSITIVE)), |period| (0.0, period[1]));
+        let count = ((net.edges.len() as f64).sqrt() as usize).clamp(1, 4096);
+        let mut rows = Self { bottom, height: tall / count as f64, rows: vec![Vec::new(); count] };
+        for k in all {
+            let (low, high) = ends(k);
+            let (first, last) = (rows.row(low), rows.row(high));
+            for row in first..=last.min(first + count as i64 - 1) {
+                rows.rows[row.rem_euclid(count as i64) as usize].push(k as u32);
+            }
+        }
+        rows
+    }
+
+    fn row(&self, y: f64) -> i64 {
+        ((y - self.bottom) / self.height).floor() as i64
+    }
+
+    /// The half-edge whose face a ray to the left of a place runs through, and from the place to its start.
+    fn left_of(&self, net: &Net, place: Point) -> Option<(usize, Point)> {
+        let count = self.rows.len() as i64;
+        let row = self.row(place[1]);
+        let row = if net.period.is_some() { row.rem_euclid(count) } else { row.clamp(0, count - 1) };
+        let mut best: Option<(f64, usize, Point)> = None;
+        for &k in &self.rows[row as usize] {
+            let (start, step) = (net.places[net.edges[k as usize][0]], net.steps[k as usize]);
+            let mut from = less(start, place);
+            if let Some(period) = net.period {
+                // The image whose lower end is the last at or below the ray.
+                let low = from[1].min(from[1] + step[1]);
+                from[1] -= (low / period[1]).ceil() * period[1];
+            }
+            let (low, high) = (from[1].min(from[1] + step[1]), from[1].max(from[1] + step[1]));
+            if !(low <= 0.0 && 0.0 < high) {
+                continue;
+            }
+            let at = from[0] - from[1] / step[1] * step[0];
+            let back = net.period.map_or(0.0, |period| ((at / period[0]).floor() + 1.0) * period[0]);
+            let (at, from) = (at - back, [from[0] - back, from[1]]);
+            if at < 0.0 && best.is_none_or(|(other, ..)| at > other) {
+                // The face to the right of the edge, as one looks up.
+                let (half, from) =
+                    if step[1] > 0.0 { (2 * k as usize + 1, add(from, step)) } else { (2 * k as usize, from) };
+                best = Some((at, half, from));
+            }
+        }
+        best.map(|(_, half, from)| (half, from))
+    }
+}

@@ -1,0 +1,95 @@
+"""Fitting: the search finds what is known, a fit recovers recipes from their own pictures."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import crazing as cz
+from crazing.measure import stamp
+from crazing.search import minimize
+
+
+def bowl(x: np.ndarray) -> float:
+    return float(((x - [0.2, 0.7, 0.5]) ** 2).sum() + 0.05 * np.sin(40 * x[0]))
+
+
+def test_search_finds_the_bottom_and_keeps_to_its_budget() -> None:
+    calls: list[int] = []
+    start, spread = [0.5, 0.5, 0.5], [0.3, 0.3, 0.0]
+    found = minimize(bowl, start, spread, budget=300, rng=3, progress=lambda spent, best: calls.append(spent))
+    assert bowl(found[0]) < 0.001
+    assert calls == list(range(1, 301))
+    # What has no spread stays.
+    assert found[0][2] == 0.5
+    again = minimize(bowl, start, spread, budget=300, rng=3)
+    assert all((a == b).all() for a, b in zip(found, again, strict=True))
+    other = minimize(bowl, start, spread, budget=300, rng=4)
+    assert not (found[0] == other[0]).all()
+
+
+def test_search_stops_at_its_time_and_in_a_broken_generation() -> None:
+    calls: list[int] = []
+    minimize(bowl, [0.5] * 3, [0.3] * 3, budget=10**9, seconds=0.0, rng=1, progress=lambda n, _: calls.append(n))
+    assert calls == [1]
+    # 20 is a generation and a quarter.
+    assert len(minimize(bowl, [0.5] * 3, [0.3] * 3, budget=20, rng=1)) == 6
+
+
+@pytest.mark.parametrize(("n", "opening"), [(120, 0.4), (260, 0.75), (150, 1.0)])
+def test_the_first_guess_knows_density_and_opening(n: int, opening: float) -> None:
+    crack = cz.crack(n=n, opening=opening, rng=5)
+    guess = cz.fit(stamp(crack, 700), budget=0)
+    assert guess.n == pytest.approx(n, rel=0.3)
+    assert guess.opening == pytest.approx(opening, abs=0.15)
+    assert guess.thickness > 0
+
+
+def test_a_fit_recovers_a_recipe_from_its_own_picture() -> None:
+    true = cz.Recipe(n=110, relax=1, opening=0.65, rounds=3, slide=0.3, turn=50.0, thickness=0.06)
+    mask = stamp(true.crack(rng=2), 400)
+    spent: list[tuple[int, float]] = []
+    found = cz.fit(mask, budget=32, rng=1, progress=lambda *each: spent.append(each))
+    assert [count for count, _ in spent] == list(range(1, 33))
+    assert spent[-1][1] <= spent[0][1]
+    assert found.opening == pytest.approx(true.opening, abs=0.15)
+    assert found.n == pytest.approx(true.n, rel=0.35)
+    wanted = {name: (value, 0.0) for name, value in cz.measure(mask).to_dict().items() if np.isfinite(value)}
+    score, thesis = (
+        np.mean([cz.measure(recipe.crack(rng=seed), raster=400).score(wanted) for seed in (7, 8, 9)])
+        for recipe in (found, cz.Recipe(n=110))
+    )
+    assert score < 0.75 * thesis
+
+
+def test_a_seed_and_a_budget_are_a_recipe() -> None:
+    mask = stamp(cz.crack(n=60, opening=0.5, rng=2), 300)
+    assert cz.fit(mask, budget=3, rng=1) == cz.fit(mask, budget=3, rng=1)
+    assert cz.fit(mask, budget=3, rng=1, seconds=1e6) == cz.fit(mask, budget=3, rng=1)
+
+
+def test_lines_without_width_say_nothing_of_width() -> None:
+    from crazing.measure import thin
+
+    mask = thin(stamp(cz.crack(n=80, opening=0.5, rng=2), 400))
+    default = cz.Recipe()
+    found = cz.fit(mask, budget=2, rng=1)
+    assert (found.thickness, found.hierarchy, found.taper) == (default.thickness, default.hierarchy, default.taper)
+
+
+def test_a_long_mask_is_measured_in_squares() -> None:
+    crack = cz.Recipe(n=300, opening=0.6).crack(bounds=(0, 0, 3, 1), rng=4)
+    assert cz.fit(stamp(crack, 900), budget=0).n == pytest.approx(100, rel=0.35)
+
+
+def test_a_mask_without_cracks_is_refused() -> None:
+    with pytest.raises(cz.CrazingError, match="no line with an end or a junction"):
+        cz.fit(np.zeros((50, 60)))
+
+
+def test_bad_budgets_are_named() -> None:
+    mask = stamp(cz.crack(n=20, rng=1), 100)
+    with pytest.raises(ValueError, match="budget"):
+        cz.fit(mask, budget=-1)
+    with pytest.raises(ValueError, match="seconds"):
+        cz.fit(mask, seconds=-1.0)

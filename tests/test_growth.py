@@ -1,0 +1,64 @@
+"""Growth: nothing at 0, all at 1, never less than before, older cracks first."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import crazing as cz
+
+PLACES = [
+    {"preset": "glaze", "n": 60},
+    {"preset": "glaze", "n": 60, "period": (2, 1)},
+    {"preset": "painting-flemish", "n": 80},
+    {"preset": "painting-flemish", "n": 80, "period": (1, 1)},
+    {"preset": "glass-impact", "n": 60},
+    {"n": 100},
+]
+
+
+def steps(c: cz.Crack) -> np.ndarray:
+    return np.hypot(*(c.segments[:, 1] - c.segments[:, 0]).T)
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_a_pattern_grows_from_nothing_to_all(place) -> None:
+    c = cz.crack(rng=5, **place)
+    ages = np.linspace(0, 1, 9)
+    grown = [c.at(age) for age in ages]
+    lengths = [steps(g).sum() for g in grown]
+    assert lengths[0] == 0 and grown[-1] == c
+    assert (np.diff(lengths) > 0).all()
+    # What is there is a part of the whole: its length is where tips have arrived, edge by edge.
+    when = c.arrivals
+    assert when.min() == 0 and when.max() == 1
+    low, high = when.min(axis=1), when.max(axis=1)
+    for age, length in zip(ages[1:-1], lengths[1:-1], strict=True):
+        part = np.clip((age - low) / (high - low), 0, 1)
+        assert length == pytest.approx((part * steps(c)).sum())
+    for before, after in pairwise(grown):
+        assert before.width.max(initial=0) <= after.width.max(initial=0) + 1e-15
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_tips_end_on_their_edge_with_no_width(place) -> None:
+    c = cz.crack(rng=6, **place)
+    grown = c.at(0.4)
+    assert grown.width.min() == 0 and (grown.width >= 0).all()
+    assert len(grown.shifts) == len(grown.graph.edges) == len(grown.parent)
+    # No edge is longer than the longest, in particular none runs the wrong way around a torus.
+    assert steps(grown).max() <= steps(c).max() * (1 + 1e-9)
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_no_strand_starts_before_its_parent_is_there_or_before_older_ones(place) -> None:
+    c = cz.crack(rng=7, **place)
+    starts = np.full(int(c.strand.max()) + 1, np.inf)
+    np.minimum.at(starts, c.strand, c.arrivals.min(axis=1))
+    parent = np.full(len(starts), -1)
+    parent[c.strand] = c.parent
+    children = np.flatnonzero(parent >= 0)
+    assert (starts[children] >= starts[parent[children]]).all()
+    assert np.corrcoef(np.arange(len(starts)), starts)[0, 1] > 0.5

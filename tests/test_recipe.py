@@ -1,0 +1,82 @@
+"""Recipes: TOML there and back, clear refusals, presets that make what they say."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import crazing as cz
+
+
+@pytest.mark.parametrize("name", cz.presets())
+def test_every_preset_makes_a_crack_and_says_where_it_is_from(name: str) -> None:
+    recipe = cz.preset(name)
+    assert recipe.title and recipe.citation
+    flat, torus = cz.crack(preset=name, n=60, rng=1), cz.crack(preset=name, n=60, period=(2, 1), rng=1)
+    assert len(flat.graph.edges) > 20 and flat.period is None
+    assert len(torus.graph.edges) > 20 and torus.period == (2, 1) and torus.bounds == (0, 0, 2, 1)
+    assert flat == recipe.replace(n=60).crack(rng=1)
+
+
+def test_the_thesis_is_the_recipe_with_every_step_off() -> None:
+    assert cz.crack(rng=7) == cz.Recipe().crack(rng=7)
+    assert cz.crack(rng=7) == cz.crack(n=300, opening=1, rounds=0, rng=7)
+
+
+@settings(max_examples=30, deadline=None)
+@given(
+    title=st.text(),
+    opening=st.floats(0, 1),
+    n=st.integers(0, 10**6),
+    tree=st.sampled_from(["kruskal", "prim"]),
+)
+def test_toml_there_and_back(tmp_path_factory, title: str, opening: float, n: int, tree: str) -> None:
+    path = tmp_path_factory.mktemp("recipe") / "mine.toml"
+    recipe = cz.Recipe(title=title, opening=opening, n=n, tree=tree, citation='a "quote" \\ and\nmore')
+    recipe.save(path)
+    read = cz.Recipe.load(path)
+    assert dataclasses.astuple(read) == dataclasses.astuple(recipe)
+
+
+FAULTS = {
+    "[recipe]\nopning = 1": (
+        ValueError,
+        r"mine.toml: \[recipe\] has no key 'opning'; it may have generator, n, sampler",
+    ),
+    "[recipe]\nopening = 2": (ValueError, r"mine.toml: opening is 2.0; a finite number from 0 to 1"),
+    "[recipe]\nopening = nan": (ValueError, r"mine.toml: opening is nan"),
+    "[recipe]\nopening = 'all'": (TypeError, r"mine.toml: opening is 'all'; a real number"),
+    "[recipe]\nn = 1.5": (TypeError, r"mine.toml: n is 1.5; an integer"),
+    "[recipe]\ntree = 'oak'": (ValueError, r"mine.toml: tree is 'oak'; one of"),
+    "[recipe]\ntree = 3": (ValueError, r"mine.toml: tree is 3; one of"),
+    "[recipe]\ntitle = 'x'": (ValueError, r"mine.toml: \[recipe\] has no key 'title'"),
+    "title = 3\n[recipe]": (TypeError, r"mine.toml: title is 3; text"),
+    "[targets]\nn = 1": (ValueError, r"mine.toml has no table \[recipe\]"),
+    "recipe = 3": (ValueError, r"mine.toml has no table \[recipe\]"),
+    "recipe = [": (ValueError, r"mine.toml is no TOML file"),
+    "\udcff": (ValueError, r"mine.toml is no TOML file"),
+}
+
+
+@pytest.mark.parametrize("text", FAULTS)
+def test_faults_of_a_file_are_named(tmp_path: Path, text: str) -> None:
+    error, message = FAULTS[text]
+    path = tmp_path / "mine.toml"
+    path.write_bytes(text.encode("utf-8", "surrogateescape"))
+    with pytest.raises(error, match=message):
+        cz.Recipe.load(path)
+
+
+def test_other_faults_are_named(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="preset is 'marble'; one of"):
+        cz.crack(preset="marble")
+    with pytest.raises(ValueError, match="the name of a step is 'curl'; one of"):
+        cz.crack(curl=1)
+    with pytest.raises(ValueError, match="bounds and period are both given"):
+        cz.crack(period=(1, 1), bounds=(0, 0, 1, 1))
+    with pytest.raises(FileNotFoundError):
+        cz.Recipe.load(tmp_path / "none.toml")
