@@ -1,7 +1,7 @@
 """Real outlines through every method: axes inside and outside, exact reconstructions, and how the skeletons compare.
 
 Give a folder with pictures (`*_mask.png`, `*_labels.png`: one integer a cell) and outlines (`*.npz`: `xy...` and
-`offsets...`, consecutive rows of a ring being its true edges). Without one, scikit-image's horse and blobs are taken.
+`offsets...`, consecutive rows of a ring being its true edges). Without one, scikit-image's horse and blobs and our own leaf are taken.
 """
 
 import argparse
@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 from axes_grid import AXIS, CURVE
+from leaf import outline
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from skimage import data
@@ -34,9 +35,9 @@ def pictures(folder: Path | None) -> dict[str, NDArray[np.bool_]]:
     return found
 
 
-def ring_sets(folder: Path | None, points: NDArray[np.float64]) -> dict[str, list[NDArray[np.float64]]]:
+def ring_sets(folder: Path | None) -> dict[str, list[NDArray[np.float64]]]:
     if folder is None:
-        return {"horse": [points]}
+        return {"leaf": [outline(steps) for steps in (6, 12, 24)]}
     found = {}
     for path in sorted(folder.glob("*.npz")):
         with np.load(path) as arrays:
@@ -95,9 +96,8 @@ def main() -> None:
     n = 300 if given.small else 2000
     masks = pictures(given.folder)
     draw(masks, n).savefig(given.output / "real_data.png", dpi=60 if given.small else 130)
-    outline = cz.sample.from_image(np.pad(next(iter(masks.values())), 2), n=n)
     print(f"\n{'outlines':28} {'rings':>6} " + " ".join(f"{method:>9}" for method in CRUSTS))
-    for name, rings in ring_sets(given.folder, outline).items():
+    for name, rings in ring_sets(given.folder).items():
         whole = [ring for ring in rings if len(np.unique(ring, axis=0)) > 3]
         share = [sum(exact(ring, method) for ring in whole) / len(whole) for method in CRUSTS]
         print(f"{name:28} {len(whole):6} " + " ".join(f"{part:9.0%}" for part in share))
