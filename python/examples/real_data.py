@@ -1,7 +1,8 @@
 """Real outlines through every method: axes inside and outside, exact reconstructions, and how the skeletons compare.
 
 Give a folder with pictures (`*_mask.png`, `*_labels.png`: one integer a cell) and outlines (`*.npz`: `xy...` and
-`offsets...`, consecutive rows of a ring being its true edges). Without one, scikit-image's horse and blobs and our own leaf are taken.
+`offsets...`, consecutive rows of a ring being its true edges). Without one, scikit-image's horse and blobs and our own
+leaf are taken.
 """
 
 import argparse
