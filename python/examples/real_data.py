@@ -51,6 +51,9 @@ def ring_sets(folder: Path | None) -> dict[str, list[NDArray[np.float64]]]:
 def exact(ring: NDArray[np.float64], method: str) -> bool:
     """Whether a crust joins exactly the samples that follow one another."""
     d = cz.diagram(ring)
+    if not len(d.triangles):
+        # All on a line, as along the edge of a map.
+        return False
     graph = cz.curve(d) if method == "curve" else cz.crust(d, method=method)
     true, found = (
         {(min(a, b), max(a, b)) for a, b in pairs if a != b}
