@@ -1,7 +1,8 @@
 """Real outlines through every method: axes inside and outside, exact reconstructions, and how the skeletons compare.
 
 Give a folder with pictures (`*_mask.png`, `*_labels.png`: one integer a cell) and outlines (`*.npz`: `xy...` and
-`offsets...`, consecutive rows of a ring being its true edges). Without one, scikit-image's horse and blobs and our own leaf are taken.
+`offsets...`, consecutive rows of a ring being its true edges). Without one, scikit-image's horse and blobs and our own
+leaf are taken.
 """
 
 import argparse
@@ -50,6 +51,9 @@ def ring_sets(folder: Path | None) -> dict[str, list[NDArray[np.float64]]]:
 def exact(ring: NDArray[np.float64], method: str) -> bool:
     """Whether a crust joins exactly the samples that follow one another."""
     d = cz.diagram(ring)
+    if not len(d.triangles):
+        # All on a line, as along the edge of a map.
+        return False
     graph = cz.curve(d) if method == "curve" else cz.crust(d, method=method)
     true, found = (
         {(min(a, b), max(a, b)) for a, b in pairs if a != b}
