@@ -104,7 +104,7 @@ def test_crack_under_a_moving_light(opened: Opener) -> None:
     editor.settle()
     # The knobs follow the recipe.
     opening = editor.page.locator("[data-knob=opening]:visible input").input_value()
-    assert float(opening) == cz.preset("painting-italian").opening
+    assert abs(float(opening) - cz.preset("painting-italian").opening) <= 0.005
     assert far(dark, shot(editor)) > 0.01
     lit = shot(editor).astype(int)
     editor.turn("side", 315)
@@ -113,13 +113,13 @@ def test_crack_under_a_moving_light(opened: Opener) -> None:
     assert np.abs(lit - other).max() > 40
     editor.turn("opening", 0)
     editor.settle()
-    assert int(rows(editor)["edges"][0]) > 50
+    assert int(rows(editor)["edges"][0].replace(",", "")) > 50
     editor.turn("plates", "of the recipe")
     editor.settle()
     editor.do("clear")
     editor.settle()
     assert not editor.page.locator(".crz-empty").is_visible()
-    assert int(rows(editor)["edges"][0]) > 50
+    assert int(rows(editor)["edges"][0].replace(",", "")) > 50
 
 
 def disc(kind: str) -> bytes:
