@@ -260,7 +260,8 @@ main(["compare", {str(blob)!r}, "-o", {str(tmp_path / "figure.png")!r}])
 def test_ctrl_c_is_quiet_and_leaves_nothing(tmp_path: Path) -> None:
     words = ["texture", "--size", "16384", "--sites", "20000", "-o", "crack.png"]
     child = subprocess.Popen([*COMMAND, *words], cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    time.sleep(1.5)
+    while not list(tmp_path.iterdir()) and child.poll() is None:
+        time.sleep(0.005)  # Until it is at work: the file has begun.
     child.send_signal(signal.SIGINT)
     output, errors = child.communicate(timeout=20)
     assert child.returncode == 130, errors

@@ -448,9 +448,9 @@ def from_svg(source: str | os.PathLike[str], *, n: int | None = None, spacing: f
     --------
     >>> import crazing as cz
     >>> cz.sample.from_svg("M0 0 H4 V2 H0 Z", spacing=2)[:3]
-    array([[ 0.,  0.],
-           [ 2.,  0.],
-           [ 4.,  0.]])
+    array([[0., 0.],
+           [2., 0.],
+           [4., 0.]])
     """
     return outline.spread(outline.svg_lines(source), n, spacing)
 

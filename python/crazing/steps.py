@@ -19,6 +19,9 @@ from crazing.rng import RNG, key
 
 __all__ = ["Drawing", "draw", "follow", "impact", "roughen", "split", "straighten", "walls", "warp", "widen"]
 
+#: The shortest reach of a source, data units: widths fade by a power of the distance over it.
+NEAREST = 1e-300
+
 Bounds: TypeAlias = tuple[float, float, float, float]
 #: Vertices, edges, shifts, period, cut.
 Net: TypeAlias = tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int8], tuple[float, float], NDArray[np.bool_]]
@@ -590,7 +593,7 @@ def widen(
         arguments.number(unevenness, "unevenness", low=0, high=4),
         arguments.number(unit, "unit", low=0),
         (arguments.number(x, "source[0]"), arguments.number(y, "source[1]")),
-        arguments.number(reach, "reach", low=1e-300),
+        arguments.number(reach, "reach", low=NEAREST),
         arguments.number(fade, "fade", low=0, high=100),
     )
     found = _core.crack_widths(drawing.net, drawing.partner, np.ascontiguousarray(drawing.age), profile, key(rng))
