@@ -30,7 +30,7 @@ struct Row<'a> {
     start: usize,
     distance: &'a [f32],
     code: &'a [u32],
-    /// The plate of every code, -1 where it depends on the pixel.
+    /// The plate of every code.
     cells: &'a [i32],
 }
 
@@ -58,6 +58,13 @@ impl Row<'_> {
     fn piece(&self, x: usize) -> Option<&Piece> {
         let id = *self.page.ids.get((self.code[x] / 2) as usize)?;
         self.set.pieces.get(id as usize)
+    }
+
+    /// Where a pixel lies from the start of a piece, in pixels.
+    #[inline(always)]
+    fn from_start(&self, x: usize, piece: &Piece) -> [f32; 2] {
+        let middle = |pixel: i64| pixel * UNIT + UNIT / 2;
+        piece.from_start(middle(self.corner[0] + x as i64), middle(self.corner[1]))
     }
 
     /// To which side of its nearest edge a pixel lies: 0 left, 1 right.
@@ -97,23 +104,23 @@ impl Scene<'_> {
         }
     }
 
-    /// The plates of every code, -1 where they may depend on the pixel.
+    /// The plates of every code: to the left and to the right of each candidate.
     fn cells(&self, set: &Set, page: &Page) -> Vec<i32> {
-        let sides = |id: &u32| {
-            let piece = &set.pieces[*id as usize];
-            let plates = self.sides.plates[piece.edge as usize];
-            if piece.ends == [false; 2] { plates } else { [-1; 2] }
-        };
-        page.ids.iter().flat_map(sides).collect()
+        page.ids.iter().flat_map(|&id| self.sides.plates[set.pieces[id as usize].edge as usize]).collect()
     }
 
     fn labels(&self, row: &Row<'_>, maps: &mut Maps<'_>) {
         if let Some(out) = stretch(&mut maps.cell, row, 1) {
+            let several = self.fans.is_some();
             for (x, out) in out.iter_mut().enumerate() {
-                *out = match row.cells.get(row.code[x] as usize) {
-                    Some(&cell) if cell >= 0 => cell,
-                    _ => row.piece(x).map_or(0, |piece| self.plate_of(row, x, piece).0),
+                let Some(piece) = row.piece(x) else {
+                    *out = 0;
+                    continue;
                 };
+                // Beyond the ends of edges others may lie between.
+                let [dx, dy] = row.from_start(x, piece);
+                let beyond = several && piece.behind(dx, dy).is_some();
+                *out = if beyond { self.plate_of(row, x, piece).0 } else { row.cells[row.code[x] as usize] };
             }
         }
         let labels = [(&mut maps.strand, self.pattern.strand), (&mut maps.generation, self.pattern.generation)];
@@ -149,17 +156,13 @@ impl Scene<'_> {
 
     /// The plate of a pixel, and from its middle to the pixel, data units, y up.
     fn plate_of(&self, row: &Row<'_>, x: usize, piece: &Piece) -> (i32, [f32; 2]) {
-        let pixel = [row.corner[0] + x as i64, row.corner[1]].map(|pixel| pixel * UNIT + UNIT / 2);
-        let [dx, dy] = piece.from_start(pixel[0], pixel[1]);
-        let foot = piece.foot(dx, dy);
-        let edge = piece.edge as usize;
-        let end = if foot.s <= 0.0 { 0 } else { 1 };
-        let ends = foot.s <= 0.0 || foot.s >= piece.length;
-        if let Some(fans) = self.fans.as_ref().filter(|_| ends && piece.ends[end]) {
+        let [dx, dy] = row.from_start(x, piece);
+        let (edge, end) = (piece.edge as usize, piece.behind(dx, dy));
+        if let (Some(fans), Some(end)) = (&self.fans, end) {
             let along = if end == 0 { 0.0 } else { piece.length };
-            let place = [dx - along * piece.along[0], along * piece.along[1] - dy].map(f64::from);
+            let place = [f64::from(dx - along * piece.along[0]), f64::from(along * piece.along[1] - dy)];
             if let Some((half, from_first)) = fans.beyond(self.pattern.edges[edge][end], place) {
-                let from_first = from_first.map(|part| part as f32);
+                let from_first = [from_first[0] as f32, from_first[1] as f32];
                 return self.on_plate(half as usize / 2, half as usize % 2, from_first);
             }
         }
@@ -170,7 +173,8 @@ impl Scene<'_> {
     /// The plate on a side of an edge, and from its middle to a place known from the edge's first end, in pixels.
     fn on_plate(&self, edge: usize, side: usize, from_first: [f32; 2]) -> (i32, [f32; 2]) {
         let middle = self.sides.middles[edge][side];
-        (self.sides.plates[edge][side], [0, 1].map(|axis| from_first[axis] * self.data - middle[axis] as f32))
+        let place = [from_first[0] * self.data - middle[0] as f32, from_first[1] * self.data - middle[1] as f32];
+        (self.sides.plates[edge][side], place)
     }
 
     /// Signed distance to the crack where chips have widened it.
@@ -228,8 +232,7 @@ impl Scene<'_> {
         rows: &Rows,
         maps: &mut Maps<'_>,
     ) {
-        let pixel = [row.corner[0] + x as i64, row.corner[1]].map(|pixel| pixel * UNIT + UNIT / 2);
-        let [dx, dy] = piece.from_start(pixel[0], pixel[1]);
+        let [dx, dy] = row.from_start(x, piece);
         let foot = piece.foot(dx, dy);
         let distance = self.chipped(row.distance[x], rows.chip[x].value);
         let rise = self.rise(plate, rows.grain[x]);

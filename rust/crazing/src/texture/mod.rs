@@ -20,6 +20,7 @@ mod noise;
 mod piece;
 mod plates;
 mod profile;
+mod rays;
 
 use std::sync::OnceLock;
 
@@ -170,17 +171,11 @@ impl<'a> Scene<'a> {
         watch: Watch<'_>,
     ) -> Result<Self> {
         let scale = grid.scale;
-        let pin = match pattern.edges.first() {
-            Some(edge) => {
-                grid.place(pattern.vertices[edge[0] as usize], edge[0] as usize)?.map(|part| part.div_euclid(UNIT))
-            }
-            None => [0; 2],
-        };
         let wants_profile = maps.height.is_some() || maps.normal.is_some() || maps.ao.is_some();
         let wants_look = maps.color.is_some() || maps.roughness.is_some() || maps.wear.is_some();
         let wants_labels =
             maps.cell.is_some() || maps.strand.is_some() || maps.generation.is_some() || maps.direction.is_some();
-        let ground = Ground { key, period: grid.period, pin };
+        let ground = Ground { key, period: grid.period, pin: pin(&pattern, &grid)? };
         let octaves = |on: bool, kind: u64, pitch: f32, count: u64| {
             if on { noise::octaves(ground, kind, f64::from(pitch) * scale, count) } else { Vec::new() }
         };
@@ -270,6 +265,13 @@ impl<'a> Scene<'a> {
         self.finish(set, &search.page, part, rows, maps);
         Ok(())
     }
+}
+
+/// The pixel that noise is pinned to: that of the first edge, so that noise moves with the pattern.
+fn pin(pattern: &Pattern<'_>, grid: &Grid) -> Result<[i64; 2]> {
+    let Some(edge) = pattern.edges.first() else { return Ok([0; 2]) };
+    let vertex = edge[0] as usize;
+    Ok(grid.place(pattern.vertices[vertex], vertex)?.map(|part| part.div_euclid(UNIT)))
 }
 
 /// The pieces in and around a window: on level 0 as far as the next cracks should be, on each other 8 times as far.

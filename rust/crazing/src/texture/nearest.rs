@@ -159,7 +159,7 @@ impl Search {
                 let [dx, dy] = piece.from_start(x, y);
                 let foot = piece.foot(dx, dy);
                 if foot.distance < best {
-                    (best, code) = (foot.distance, 2 * place | (foot.side.to_bits() >> 31));
+                    (best, code) = (foot.distance, (2 * place) | (foot.side.to_bits() >> 31));
                 }
             }
             self.page.distance[row * PAGE + column] = best;
@@ -261,7 +261,7 @@ fn solve(near: &[Near], list: &[u32], page: &mut Page, corner: [usize; 2]) {
             let dx = (x + (lane % QUAD) as i32 * UNIT as i32) as f32 * PART;
             let dy = (y + (lane / QUAD) as i32 * UNIT as i32) as f32 * PART;
             let (distance, side) = piece.measure(dx, dy);
-            let here = 2 * place | (side.to_bits() >> 31);
+            let here = (2 * place) | (side.to_bits() >> 31);
             let nearer = distance < best[lane];
             best[lane] = if nearer { distance } else { best[lane] };
             code[lane] = if nearer { here } else { code[lane] };

@@ -71,11 +71,24 @@ impl Piece {
 
     /// Where a pixel lies from the start, in pixels. The difference is exact and rounded once, so that it does not
     /// depend on where the two are.
+    #[inline(always)]
     pub(super) fn from_start(&self, x: i64, y: i64) -> [f32; 2] {
         [(x - self.start[0]) as f32 * PART, (y - self.start[1]) as f32 * PART]
     }
 
+    /// Behind which end of its edge a pixel lies, if behind any: 0 the first, 1 the second.
+    #[inline(always)]
+    pub(super) fn behind(&self, dx: f32, dy: f32) -> Option<usize> {
+        if self.ends == [false; 2] {
+            return None;
+        }
+        let [u, v] = self.along;
+        let s = dx * u + dy * v + self.lean * (dx * v - dy * u).abs();
+        if s <= 0.0 { self.ends[0].then_some(0) } else { (s >= self.length && self.ends[1]).then_some(1) }
+    }
+
     /// Signed distance to the piece, pixels.
+    #[inline(always)]
     pub(super) fn distance(&self, x: i64, y: i64) -> f32 {
         let [dx, dy] = self.from_start(x, y);
         self.foot(dx, dy).distance
