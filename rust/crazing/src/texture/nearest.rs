@@ -156,7 +156,7 @@ impl Search {
             let (mut best, mut code) = (f32::INFINITY, 0);
             for (place, &id) in (0..).zip(&self.page.ids) {
                 let piece = &pieces[id as usize];
-                let [dx, dy] = piece.from_start(x, y);
+                let [dx, dy] = piece.seen_at(x, y);
                 let foot = piece.foot(dx, dy);
                 if foot.distance < best {
                     (best, code) = (foot.distance, (2 * place) | (foot.side.to_bits() >> 31));

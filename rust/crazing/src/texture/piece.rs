@@ -40,7 +40,7 @@ impl Piece {
         let step = [0, 1].map(|axis| (end[axis] - start[axis]) as f64 / UNIT as f64);
         let length = (step[0] * step[0] + step[1] * step[1]).sqrt();
         let slope = (radii[1] - radii[0]) / length;
-        if !(slope.abs() < 0.999) {
+        if slope.is_nan() || slope.abs() >= 0.999 {
             // One disc holds the other, or nearly so.
             let (start, radius) = if radii[0] >= radii[1] { (start, radii[0]) } else { (end, radii[1]) };
             let radius = radius as f32;
@@ -72,7 +72,7 @@ impl Piece {
     /// Where a pixel lies from the start, in pixels. The difference is exact and rounded once, so that it does not
     /// depend on where the two are.
     #[inline(always)]
-    pub(super) fn from_start(&self, x: i64, y: i64) -> [f32; 2] {
+    pub(super) fn seen_at(&self, x: i64, y: i64) -> [f32; 2] {
         [(x - self.start[0]) as f32 * PART, (y - self.start[1]) as f32 * PART]
     }
 
@@ -90,7 +90,7 @@ impl Piece {
     /// Signed distance to the piece, pixels.
     #[inline(always)]
     pub(super) fn distance(&self, x: i64, y: i64) -> f32 {
-        let [dx, dy] = self.from_start(x, y);
+        let [dx, dy] = self.seen_at(x, y);
         self.foot(dx, dy).distance
     }
 
@@ -197,7 +197,7 @@ fn cut(ends: [[i64; 2]; 2], radii: [f64; 2], edge: u32, region: Region, found: &
             (first, last) = (first.max(a.min(b)), last.min(a.max(b)));
         }
     }
-    if !(first <= last) {
+    if first > last || first.is_nan() || last.is_nan() {
         return Ok(());
     }
     let (first, last) = ((first * count).floor() as i64 - 1, (last * count).ceil() as i64 + 1);
