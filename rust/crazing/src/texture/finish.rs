@@ -62,9 +62,9 @@ impl Row<'_> {
 
     /// Where a pixel lies from the start of a piece, in pixels.
     #[inline(always)]
-    fn seen_at(&self, x: usize, piece: &Piece) -> [f32; 2] {
+    fn offset(&self, x: usize, piece: &Piece) -> [f32; 2] {
         let middle = |pixel: i64| pixel * UNIT + UNIT / 2;
-        piece.seen_at(middle(self.corner[0] + x as i64), middle(self.corner[1]))
+        piece.offset(middle(self.corner[0] + x as i64), middle(self.corner[1]))
     }
 
     /// To which side of its nearest edge a pixel lies: 0 left, 1 right.
@@ -118,7 +118,7 @@ impl Scene<'_> {
                     continue;
                 };
                 // Beyond the ends of edges others may lie between.
-                let [dx, dy] = row.seen_at(x, piece);
+                let [dx, dy] = row.offset(x, piece);
                 let beyond = several && piece.behind(dx, dy).is_some();
                 *out = if beyond { self.plate_of(row, x, piece).0 } else { row.cells[row.code[x] as usize] };
             }
@@ -156,7 +156,7 @@ impl Scene<'_> {
 
     /// The plate of a pixel, and from its middle to the pixel, data units, y up.
     fn plate_of(&self, row: &Row<'_>, x: usize, piece: &Piece) -> (i32, [f32; 2]) {
-        let [dx, dy] = row.seen_at(x, piece);
+        let [dx, dy] = row.offset(x, piece);
         let (edge, end) = (piece.edge as usize, piece.behind(dx, dy));
         if let (Some(fans), Some(end)) = (&self.fans, end) {
             let along = if end == 0 { 0.0 } else { piece.length };
@@ -232,7 +232,7 @@ impl Scene<'_> {
         rows: &Rows,
         maps: &mut Maps<'_>,
     ) {
-        let [dx, dy] = row.seen_at(x, piece);
+        let [dx, dy] = row.offset(x, piece);
         let foot = piece.foot(dx, dy);
         let distance = self.chipped(row.distance[x], rows.chip[x].value);
         let rise = self.rise(plate, rows.grain[x]);

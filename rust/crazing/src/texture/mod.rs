@@ -5,6 +5,7 @@
 //! exact differences of places and on its nearest piece. So they are the same in every window, for every tile and
 //! number of threads, on every processor, and move with the pattern by whole pixels without a trace.
 
+mod around;
 mod bands;
 mod bins;
 mod coverage;
@@ -35,20 +36,16 @@ use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};
 use crate::rng::Key;
 use crate::watch::Watch;
+use around::{LEVELS, around};
 use bands::Bands;
-use bins::Bins;
 use fans::Fans;
 use finish::{Part, Rows};
 use grid::{Grid, UNIT};
 use look::Look;
 use nearest::{Found, PAGE, Search, Set};
 use noise::{Ground, Noise};
-use piece::Piece;
 use plates::Plate;
 use profile::Profile;
-
-/// Levels of ever wider surroundings: the last holds all that can be placed at all.
-const LEVELS: usize = 11;
 
 /// Rows of a band, which one thread works on at a time.
 const BAND: usize = 64;
@@ -181,7 +178,8 @@ impl<'a> Scene<'a> {
         };
         let wants_grain = (wants_profile && material.grain != 0.0)
             || (wants_look && (material.speckle != 0.0 || material.roughness_spread != 0.0));
-        let near = around(&pattern, &grid, window, 0, watch)?;
+        let wants_nearest = wants_profile || wants_look || wants_labels || maps.distance.is_some();
+        let near = around(&pattern, &grid, window, (0, wants_nearest), watch)?;
         let bands = (wants_look || maps.mask.is_some()).then(|| {
             let Window { top, left, height, width } = window;
             Bands::new(&near.pieces, left, width, top, BAND, height.div_ceil(BAND))
@@ -258,7 +256,7 @@ impl<'a> Scene<'a> {
         while search.open(set, part.corner, side) == Found::TooFar {
             let far = self.far.get(level).ok_or(Error::Internal("no end of the surroundings"))?;
             level += 1;
-            let wider = || around(&self.pattern, &self.grid, self.window, level as u32, Watch::default());
+            let wider = || around(&self.pattern, &self.grid, self.window, (level as u32, true), Watch::default());
             set = far.get_or_init(wider).as_ref().map_err(Clone::clone)?;
         }
         search.fill(set, part.corner, side);
@@ -272,44 +270,4 @@ fn pin(pattern: &Pattern<'_>, grid: &Grid) -> Result<[i64; 2]> {
     let Some(edge) = pattern.edges.first() else { return Ok([0; 2]) };
     let vertex = edge[0] as usize;
     Ok(grid.place(pattern.vertices[vertex], vertex)?.map(|part| part.div_euclid(UNIT)))
-}
-
-/// The pieces in and around a window: on level 0 as far as the next cracks should be, on each other 8 times as far.
-fn around(pattern: &Pattern<'_>, grid: &Grid, window: Window, level: u32, watch: Watch<'_>) -> Result<Set> {
-    let [left, top] = [window.left, window.top].map(|pixel| pixel * UNIT);
-    let (right, bottom) = (left + window.width as i64 * UNIT, top + window.height as i64 * UNIT);
-    let area = window.width as f64 * window.height as f64;
-    let spacing = (area / pattern.edges.len().max(1) as f64).sqrt();
-    let mut margin = ((4.0 * spacing).clamp(64.0, 1024.0) as i64 * UNIT) << (3 * level);
-    let whole = if grid.period == [0; 2] {
-        let mut whole = true;
-        for vertex in pattern.edges.as_flattened() {
-            let [x, y] = grid.place(pattern.vertices[*vertex as usize], *vertex as usize)?;
-            whole &= (left - margin..=right + margin).contains(&x) && (top - margin..=bottom + margin).contains(&y);
-        }
-        whole
-    } else {
-        // Some image of every edge is nearer to any place than this.
-        let enough = 2 * (grid.period[0] + grid.period[1]) * UNIT;
-        let whole = margin >= enough;
-        margin = margin.min(enough);
-        whole
-    };
-    let region = [left - margin, top - margin, right + margin, bottom + margin];
-    let pieces = piece::pieces(pattern, grid, region, watch)?;
-    set(pieces, region, [left, top], whole || level as usize == LEVELS)
-}
-
-/// Sorts pieces into bins that one of begins at `corner`.
-fn set(pieces: Vec<Piece>, region: [i64; 4], corner: [i64; 2], whole: bool) -> Result<Set> {
-    let widest = pieces
-        .iter()
-        .fold(0.0_f32, |widest, piece| widest.max(piece.radius.max(piece.radius + piece.slope * piece.length)));
-    let area = (region[2] - region[0]) as f64 / UNIT as f64 * ((region[3] - region[1]) as f64 / UNIT as f64);
-    let side = bins::side(pieces.len(), area, widest);
-    let step = side * UNIT;
-    let low = |axis: usize| corner[axis] + (region[axis] - corner[axis]).div_euclid(step) * step;
-    let high = |axis: usize| corner[axis] + ((region[axis + 2] - corner[axis]).div_euclid(step) + 1) * step;
-    let bins = Bins::new(&pieces, [low(0), low(1), high(0), high(1)], side)?;
-    Ok(Set { pieces, bins, whole })
 }

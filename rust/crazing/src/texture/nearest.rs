@@ -156,7 +156,7 @@ impl Search {
             let (mut best, mut code) = (f32::INFINITY, 0);
             for (place, &id) in (0..).zip(&self.page.ids) {
                 let piece = &pieces[id as usize];
-                let [dx, dy] = piece.seen_at(x, y);
+                let [dx, dy] = piece.offset(x, y);
                 let foot = piece.foot(dx, dy);
                 if foot.distance < best {
                     (best, code) = (foot.distance, (2 * place) | (foot.side.to_bits() >> 31));
@@ -257,14 +257,18 @@ fn solve(near: &[Near], list: &[u32], page: &mut Page, corner: [usize; 2]) {
     for &place in list {
         let piece = &near[place as usize];
         let (x, y) = (x.wrapping_sub(piece.start[0]), y.wrapping_sub(piece.start[1]));
+        let (mut distances, mut sides) = ([0.0_f32; LANES], [0_u32; LANES]);
         for lane in 0..LANES {
             let dx = (x + (lane % QUAD) as i32 * UNIT as i32) as f32 * PART;
             let dy = (y + (lane / QUAD) as i32 * UNIT as i32) as f32 * PART;
             let (distance, side) = piece.measure(dx, dy);
-            let here = (2 * place) | (side.to_bits() >> 31);
-            let nearer = distance < best[lane];
-            best[lane] = if nearer { distance } else { best[lane] };
-            code[lane] = if nearer { here } else { code[lane] };
+            (distances[lane], sides[lane]) = (distance, side.to_bits() >> 31);
+        }
+        // Without a branch, so that four lanes are done at a time.
+        for lane in 0..LANES {
+            let nearer = 0_u32.wrapping_sub(u32::from(distances[lane] < best[lane]));
+            code[lane] ^= (code[lane] ^ ((2 * place) | sides[lane])) & nearer;
+            best[lane] = f32::from_bits((distances[lane].to_bits() & nearer) | (best[lane].to_bits() & !nearer));
         }
     }
     for row in 0..QUAD {

@@ -72,7 +72,7 @@ impl Piece {
     /// Where a pixel lies from the start, in pixels. The difference is exact and rounded once, so that it does not
     /// depend on where the two are.
     #[inline(always)]
-    pub(super) fn seen_at(&self, x: i64, y: i64) -> [f32; 2] {
+    pub(super) fn offset(&self, x: i64, y: i64) -> [f32; 2] {
         [(x - self.start[0]) as f32 * PART, (y - self.start[1]) as f32 * PART]
     }
 
@@ -90,7 +90,7 @@ impl Piece {
     /// Signed distance to the piece, pixels.
     #[inline(always)]
     pub(super) fn distance(&self, x: i64, y: i64) -> f32 {
-        let [dx, dy] = self.seen_at(x, y);
+        let [dx, dy] = self.offset(x, y);
         self.foot(dx, dy).distance
     }
 
@@ -131,11 +131,17 @@ pub(super) struct Foot {
     pub(super) distance: f32,
 }
 
-/// The pieces whose discs meet `region`, in the order of their edges; on a torus with all their images in it.
+/// The pieces whose discs meet `region`, in the order of their edges; on a torus with all their images in it;
+/// and whether these are all, without a period.
 ///
 /// The order among the images of one edge is by place, so it does not change when the pattern is moved.
-pub(super) fn pieces(pattern: &Pattern<'_>, grid: &Grid, region: Region, watch: Watch<'_>) -> Result<Vec<Piece>> {
-    let mut found = Vec::new();
+pub(super) fn pieces(
+    pattern: &Pattern<'_>,
+    grid: &Grid,
+    region: Region,
+    watch: Watch<'_>,
+) -> Result<(Vec<Piece>, bool)> {
+    let (mut found, mut all) = (Vec::new(), grid.period == [0; 2]);
     for (row, (edge, widths)) in pattern.edges.iter().zip(pattern.widths).enumerate() {
         watch.poll_at(row)?;
         let [a, b] = edge.map(|vertex| vertex as usize);
@@ -159,6 +165,7 @@ pub(super) fn pieces(pattern: &Pattern<'_>, grid: &Grid, region: Region, watch: 
             start[0].max(end[0]) + far,
             start[1].max(end[1]) + far,
         ];
+        all &= (0..2).all(|axis| region[axis] <= box_of[axis] && box_of[axis + 2] <= region[axis + 2]);
         let [columns, rows] = [0, 1].map(|axis| images(box_of, region, grid.period[axis] * UNIT, axis));
         for i in columns.0..=columns.1 {
             for j in rows.0..=rows.1 {
@@ -168,7 +175,7 @@ pub(super) fn pieces(pattern: &Pattern<'_>, grid: &Grid, region: Region, watch: 
             }
         }
     }
-    Ok(found)
+    Ok((found, all))
 }
 
 /// First and last multiple of `period` that brings the box into the region along one axis.
@@ -197,7 +204,7 @@ fn cut(ends: [[i64; 2]; 2], radii: [f64; 2], edge: u32, region: Region, found: &
             (first, last) = (first.max(a.min(b)), last.min(a.max(b)));
         }
     }
-    if first > last || first.is_nan() || last.is_nan() {
+    if first > last {
         return Ok(());
     }
     let (first, last) = ((first * count).floor() as i64 - 1, (last * count).ceil() as i64 + 1);
