@@ -31,6 +31,10 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "compare": cz.compare,
     "maze voronoi": lambda points: cz.maze(points, cells="voronoi", rng=1),
     "maze delaunay": lambda points: cz.maze(points, cells="delaunay", rng=1),
+    "maze within": lambda points: cz.maze(points, within=[(0, 0), (3.5, 0.5), (4, 4), (0.5, 3)], rng=1),
+    "maze of triangles within": lambda points: cz.maze(
+        points, cells="delaunay", within=[(0, 0), (3.5, 0.5), (4, 4), (0.5, 3)], rng=1
+    ),
     "crack": lambda points: cz.crack(points, rng=1),
 }
 # Those that have an answer whatever the number of sites and their places.

@@ -139,6 +139,9 @@ def test_scattered_cracks_reach_every_side_and_are_densest_in_the_middle(distrib
         (["compare", "blob.png", "--first", "guess", "-o", "a.png"], "guess"),
         (["compare", "blob.png", "--points", "2", "-o", "a.png"], "points"),
         (["compare", "blob.png", "--points", "100000000", "-o", "a.png"], "points"),
+        (["compare", "blob.png", "--sizes", "9,x"], "sizes"),
+        (["compare", "blob.png", "--sizes", "2,9"], "sizes"),
+        (["compare", "blob.png", "--sizes", "9", "--points", "9"], "points"),
         (["compare", "blob.png", "--level", "x", "-o", "a.png"], "level"),
         (["compare", "blob.png", "--dpi", "0", "-o", "a.png"], "dpi"),
         (["fly"], "fly"),
@@ -175,6 +178,16 @@ def test_failures_of_the_work_are_one_line(
     monkeypatch.setattr(cz, "render", fail)
     refused(run("texture", "--size", 32, "-o", tmp_path / "a.png"), words)
     assert not list(tmp_path.iterdir())
+
+
+def test_compare_studies_sizes(blob: Path, tmp_path: Path) -> None:
+    path = tmp_path / "figure.png"
+    result = run("compare", blob, "--sizes", "40, 90", "--json", "--dpi", 30, "-o", path)
+    assert result.exit_code == 0
+    rows = json.loads(result.output)
+    assert [row["samples"] for row in rows] == [40, 40, 90, 90]
+    assert path.read_bytes().startswith(b"\x89PNG")
+    assert "90  edge-filter" in run("compare", blob, "--sizes", "40,90").output
 
 
 def test_compare_writes_the_figure_and_prints_the_table(blob: Path, tmp_path: Path) -> None:
@@ -247,7 +260,8 @@ main(["compare", {str(blob)!r}, "-o", {str(tmp_path / "figure.png")!r}])
 def test_ctrl_c_is_quiet_and_leaves_nothing(tmp_path: Path) -> None:
     words = ["texture", "--size", "16384", "--sites", "20000", "-o", "crack.png"]
     child = subprocess.Popen([*COMMAND, *words], cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    time.sleep(1.5)
+    while not list(tmp_path.iterdir()) and child.poll() is None:
+        time.sleep(0.005)  # Until it is at work: the file has begun.
     child.send_signal(signal.SIGINT)
     output, errors = child.communicate(timeout=20)
     assert child.returncode == 130, errors

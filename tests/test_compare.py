@@ -151,3 +151,28 @@ def test_plot_wants_three_axes() -> None:
     figure = pytest.importorskip("matplotlib.figure").Figure()
     with pytest.raises(ValueError, match="three"):
         cz.compare(flower(20)).plot(figure.subplots(1, 2))
+
+
+def test_distances_are_those_of_shapely(rng: np.random.Generator) -> None:
+    shapely = pytest.importorskip("shapely")
+    comparison = cz.compare(rng.normal(size=(300, 2)))
+    sites = comparison.first.diagram.sites
+    low, high = sites.min(axis=0), sites.max(axis=0)
+    drawn = []
+    for axis in (comparison.first.axis, comparison.second.axis):
+        kept = ((axis.segments >= low) & (axis.segments <= high)).all(axis=(1, 2))
+        drawn.append(shapely.MultiLineString(list(axis.segments[kept])))
+    expected = shapely.hausdorff_distance(*drawn, densify=0.01)
+    assert comparison.hausdorff == pytest.approx(expected, rel=0.05)
+    assert max({name: (a, b) for name, a, b in comparison.table}["farthest from the other"]) == comparison.hausdorff
+
+
+def test_a_known_axis_is_measured_against() -> None:
+    turn = np.linspace(0, 2 * np.pi, 400, endpoint=False)
+    ellipse = np.column_stack([2 * np.cos(turn), np.sin(turn)])
+    comparison = cz.compare(ellipse, axis=[[(-1.5, 0), (1.5, 0)]])
+    table = {name: (a, b) for name, a, b in comparison.table}
+    assert max(table["inner axis from known"]) < 1e-3
+    assert max(table["known from inner axis"]) < 1e-3
+    with pytest.raises(ValueError, match=r"\(e, 2, 2\)"):
+        cz.compare(ellipse, axis=[(1, 2)])

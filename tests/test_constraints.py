@@ -85,7 +85,7 @@ def test_ten_thousand_constraints_in_a_comb_and_a_fan() -> None:
     rows = np.arange(10_000)
     x = np.repeat(np.arange(100.0), 100)
     feet = np.column_stack([x, np.tile(2.0 * np.arange(100), 100)])
-    teeth = np.concatenate([feet, feet + (0.5, 1.5)])
+    teeth = np.concatenate([feet, feet + np.array([0.5, 1.5])])
     among = np.column_stack([rows, rows + 10_000])
     d = cz.diagram(teeth, constraints=among)
     assert int(d.constrained.sum()) == 10_000

@@ -199,3 +199,19 @@ def test_plot_draws_on_the_axes_given() -> None:
     assert axes.get_xlim()[1] >= 30
     assert axes.collections[0].get_linewidth() == [3]
     cz.PlanarGraph([], []).plot(axes)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_distances_are_those_of_shapely(seed: int) -> None:
+    shapely = pytest.importorskip("shapely")
+    rng = np.random.default_rng(seed)
+    vertices = rng.normal(size=(60, 2)) * (1, 10.0**seed)
+    graph = cz.PlanarGraph(vertices, rng.integers(0, 60, (80, 2)))
+    points = rng.normal(size=(500, 2)) * 3 * (1, 10.0**seed)
+    lines = shapely.MultiLineString(list(graph.segments))
+    np.testing.assert_allclose(graph.distances(points), shapely.distance(lines, shapely.points(points)), rtol=1e-9)
+
+
+def test_nothing_is_infinitely_far() -> None:
+    assert np.isinf(cz.PlanarGraph([[0, 0]], []).distances([[1, 2]])).all()
+    assert cz.PlanarGraph([[1, 1]], [[0, 0]]).distances([[1, 3]]).tolist() == [2.0]

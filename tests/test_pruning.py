@@ -77,7 +77,9 @@ def test_the_pruned_axis_is_near_the_true_one(shape: str, kind: str) -> None:
         drawn = along(one_step(points).prune().inner, 1.0)
         # One way: nothing is far from the axis. The other: no more is missing than a bit of every tip.
         assert farthest(drawn, true) <= {"uniform": 2.5, "normal": 3.5}[kind] * size + 0.5
-        assert farthest(true, drawn) <= 0.03 * {"ellipse": 4000, "flower": 2800}[shape]
+        # Normal noise of a quarter of the spacing takes more than the 3 % of the diameter that uniform noise leaves it.
+        part = {"uniform": 0.03, "normal": 0.045}[kind]
+        assert farthest(true, drawn) <= part * {"ellipse": 4000, "flower": 2800}[shape]
 
 
 def test_radius_is_the_distance_to_the_nearest_site() -> None:

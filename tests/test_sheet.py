@@ -170,6 +170,9 @@ def test_the_command_fills_the_shape_of_a_picture(tmp_path: Path) -> None:
     assert set(read_svg(tmp_path / "leaf.svg")) == {"walls", "solution"}
     CliRunner().invoke(main, [str(word) for word in words])
     assert (tmp_path / "leaf.svg").read_bytes() == first
+    triangles = CliRunner().invoke(main, [*(str(word) for word in words), "--cells", "delaunay"])
+    assert triangles.exit_code == 0, triangles.output
+    assert 300 < int(re.search(r"(\d+) cells", triangles.stdout)[1]) < 700
     plain = CliRunner().invoke(main, ["maze", "--seed", "1", "-n", "50", "-o", str(tmp_path / "m.dxf")])
     assert plain.exit_code == 0, plain.output
     for bad in (["-o", "m.jpg"], ["-o", "m.svg", "-n", "2"], ["-o", "m.svg", "--within", "none.png"]):

@@ -24,6 +24,7 @@ from crazing.shade import shade
 from crazing.skeleton import Skeleton, crust, curve, medial_axis, nested, poles
 from crazing.statistics import CrackStatistics
 from crazing.streaming import write_texture
+from crazing.study import Study, compare_sizes
 from crazing.targets import Targets, targets
 from crazing.texture import Texture, TexturePlan, texture, texture_plan
 from crazing.versions import algorithm_version, show_versions
@@ -43,6 +44,7 @@ __all__ = [
     "QuadEdge",
     "Recipe",
     "Skeleton",
+    "Study",
     "Style",
     "Targets",
     "Texture",
@@ -51,6 +53,7 @@ __all__ = [
     "algorithm_version",
     "centerline",
     "compare",
+    "compare_sizes",
     "crack",
     "crust",
     "curve",

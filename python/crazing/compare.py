@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from crazing.arguments import real_array
 from crazing.diagram import Diagram, as_diagram
 from crazing.graph import PlanarGraph
 from crazing.record import Record
@@ -18,6 +19,9 @@ from crazing.skeleton import Skeleton, medial_axis
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+#: Parts of the diagonal of the samples' bounding box by which distances are looked at.
+STEPS = 1000
 
 Row: TypeAlias = "tuple[str, int | float, int | float]"
 
@@ -32,6 +36,8 @@ class Comparison(Record):
         The skeletons, on the same diagram.
     seconds : tuple of two floats
         How long each took, the diagram not counted. Not part of equality.
+    known : PlanarGraph or None
+        The true inner axis, if one was given.
 
     Examples
     --------
@@ -45,6 +51,28 @@ class Comparison(Record):
     first: Skeleton
     second: Skeleton
     seconds: tuple[float, float] = field(default=(float("nan"), float("nan")), compare=False)
+    known: PlanarGraph | None = None
+
+    @property
+    def hausdorff(self) -> float:
+        """The largest distance from a point of either axis to the other one, in the bounding box of the samples.
+
+        Edges with an end outside the box are left out. Points of an edge are taken a thousandth of the diagonal apart.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> cz.compare(cz.sample.uniform(100, rng=7), "one-step", "one-step").hausdorff
+        0.0
+        """
+        return max(self._ways)
+
+    @cached_property
+    def _ways(self) -> tuple[float, float]:
+        """How far the first axis goes from the second, and the second from the first."""
+        first, second = self._in_box(self.first.axis), self._in_box(self.second.axis)
+        alone = self._in_box(self.only_first), self._in_box(self.only_second)
+        return self._farthest(alone[0], second), self._farthest(alone[1], first)
 
     @property
     def shared(self) -> PlanarGraph:
@@ -108,8 +136,11 @@ class Comparison(Record):
             ("axis length in box", *_pair(self._length(axis) for axis in axes)),
             ("axis components", *_pair(axis.components for axis in axes)),
             ("axis leaves", *_pair(axis.leaves for axis in axes)),
+            ("axis branches", *_pair(len(axis.polylines()[1]) - 1 for axis in axes)),
             ("axis edges shared", *_pair(shared)),
             ("axis edges only here", *_pair(alone)),
+            ("farthest from the other", *self._ways),
+            *self._against_known(),
             ("seconds", *self.seconds),
         ]
 
@@ -164,16 +195,43 @@ class Comparison(Record):
         first, second = (_keys(skeleton.axis.edges, vertices) for skeleton in (self.first, self.second))
         return np.isin(first, second), np.isin(second, first)
 
+    def _against_known(self) -> list[Row]:
+        """How far the part of each axis that is on the side of the known one goes from it, and it from them."""
+        if self.known is None:
+            return []
+        known = self.known
+        axes = [self._in_box(skeleton.inner) for skeleton in (self.first, self.second)]
+        return [
+            ("inner axis from known", *_pair(self._farthest(axis, known) for axis in axes)),
+            ("known from inner axis", *_pair(self._farthest(known, axis) for axis in axes)),
+        ]
+
     def _length(self, axis: PlanarGraph) -> float:
+        return self._in_box(axis).length
+
+    def _in_box(self, axis: PlanarGraph) -> PlanarGraph:
+        """The edges with both ends in the bounding box of the samples."""
         sites = self.first.diagram.sites
         inside = ((axis.vertices >= sites.min(axis=0)) & (axis.vertices <= sites.max(axis=0))).all(axis=1)
-        return float(axis.lengths[inside[axis.edges].all(axis=1)].sum())
+        return PlanarGraph(axis.vertices, axis.edges[inside[axis.edges].all(axis=1)])
+
+    def _farthest(self, axis: PlanarGraph, other: PlanarGraph) -> float:
+        """The largest distance from a point of `axis` to the other."""
+        sites = self.first.diagram.sites
+        fine = float(np.hypot(*(sites.max(axis=0) - sites.min(axis=0)))) / STEPS
+        return float(other.distances(_points_along(axis, fine)).max(initial=0.0))
 
     def _select(self, axis: PlanarGraph, kept: NDArray[np.bool_]) -> PlanarGraph:
         return PlanarGraph(self.first.diagram.vertices, axis.edges[kept])
 
 
-def compare(points: ArrayLike | Diagram, first: str = "one-step", second: str = "edge-filter") -> Comparison:
+def compare(
+    points: ArrayLike | Diagram,
+    first: str = "one-step",
+    second: str = "edge-filter",
+    *,
+    axis: PlanarGraph | ArrayLike | None = None,
+) -> Comparison:
     """Compares two skeleton methods on the same samples, which are triangulated once.
 
     Parameters
@@ -181,7 +239,10 @@ def compare(points: ArrayLike | Diagram, first: str = "one-step", second: str = 
     points : (n, 2) array_like or Diagram
         Samples of curves in data units, or their diagram.
     first, second : str
-        Methods of `medial_axis`: "initial", "edge-filter" or "one-step".
+        Methods of `medial_axis`: "initial", "poles", "edge-filter" or "one-step".
+    axis : PlanarGraph or (e, 2, 2) array_like, optional
+        The true axis inside the curve, if it is known: a drawing, or the ends of its segments. The table then tells
+        how far the inner axes are from it, and it from them.
 
     Returns
     -------
@@ -195,7 +256,7 @@ def compare(points: ArrayLike | Diagram, first: str = "one-step", second: str = 
     CrazingError
         If a coordinate is not finite.
     ValueError
-        If a method is unknown.
+        If a method is unknown, or `axis` has not the shape of segments.
 
     Notes
     -----
@@ -216,7 +277,27 @@ def compare(points: ArrayLike | Diagram, first: str = "one-step", second: str = 
         start = time.perf_counter()
         results.append(medial_axis(diagram, method=method))
         seconds.append(time.perf_counter() - start)
-    return Comparison(results[0], results[1], (seconds[0], seconds[1]))
+    return Comparison(results[0], results[1], (seconds[0], seconds[1]), None if axis is None else _drawing(axis))
+
+
+def _drawing(axis: PlanarGraph | ArrayLike) -> PlanarGraph:
+    if isinstance(axis, PlanarGraph):
+        return axis
+    segments = real_array(axis, "axis")
+    if segments.ndim != 3 or segments.shape[1:] != (2, 2):
+        raise ValueError(f"axis has shape {segments.shape}; (e, 2, 2) is wanted")
+    return PlanarGraph(segments.reshape(-1, 2), np.arange(2 * len(segments), dtype=np.int32).reshape(-1, 2))
+
+
+def _points_along(graph: PlanarGraph, fine: float) -> NDArray[np.float64]:
+    """Both ends of every edge, and points between that are no farther apart than `fine`."""
+    parts = (
+        np.maximum(np.ceil(graph.lengths / fine), 1).astype(np.int64) + 1 if fine > 0 else np.full(len(graph.edges), 2)
+    )
+    edge = np.repeat(np.arange(len(parts)), parts)
+    share = (np.arange(len(edge)) - np.repeat(np.cumsum(parts) - parts, parts)) / (parts[edge] - 1)
+    ends = graph.segments[edge]
+    return np.asarray(ends[:, 0] + share[:, None] * (ends[:, 1] - ends[:, 0]))
 
 
 def _pair(values: Iterable[int | float]) -> tuple[int | float, int | float]:

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core, arguments
 from crazing.extras import require
@@ -182,6 +182,31 @@ class PlanarGraph(Record):
         """
         rows, offsets = _core.graph_polylines(len(self.vertices), self.edges)
         return self.vertices[rows], offsets
+
+    def distances(self, points: ArrayLike) -> NDArray[np.float64]:
+        """How far points are from the drawing.
+
+        Parameters
+        ----------
+        points : (n, 2) array_like
+            In data units.
+
+        Returns
+        -------
+        (n,) float64
+            Distance of each from the nearest point of the nearest edge, in data units; infinite without edges.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `points` has not the shape of points.
+
+        Examples
+        --------
+        >>> PlanarGraph([[0, 0], [3, 0]], [[0, 1]]).distances([[1, 2], [6, 4]])
+        array([2., 5.])
+        """
+        return _core.graph_distances(self.vertices, self.edges, arguments.points_array(points))
 
     def plot(self, ax: Axes | None = None, **line_style: Any) -> Axes:
         """Draws the edges with Matplotlib, at equal scales.

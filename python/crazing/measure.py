@@ -261,7 +261,7 @@ def trace(mask: ArrayLike, *, spur: float = _SPUR, merge: float = _MERGE) -> tup
     --------
     >>> import numpy as np
     >>> from crazing.measure import trace
-    >>> graph, width = trace(np.ones((3, 60), bool))
+    >>> graph, width = trace(np.pad(np.ones((3, 60), bool), 9))
     >>> graph.components, float(np.median(width))
     (1, 4.0)
     """

@@ -83,7 +83,7 @@ def crack_of(origin: Mapping[str, Any]) -> Crack:
             # One of the two is None.
             frame = {name: origin[name] for name in ("bounds", "period", "width")}
             crack = recipe.crack(**frame, rng=int(origin["seed"]))
-            return crack if origin["age"] is None else crack.at(origin["age"])  # type: ignore[attr-defined]
+            return crack if origin["age"] is None else crack.at(origin["age"])
         if "pattern" in origin:
             return _unpacked(origin)
     except (KeyError, TypeError, ValueError, AttributeError, OSError, binascii.Error, zipfile.BadZipFile) as error:

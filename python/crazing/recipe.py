@@ -284,7 +284,7 @@ class Recipe:
             unevenness=self.unevenness,
             unit=unit,
             source=where,
-            reach=_REACH * side,
+            reach=max(_REACH * side, steps.NEAREST),
             fade=self.fade,
             rng=seeds[2],
         )
@@ -355,7 +355,7 @@ class Recipe:
         --------
         >>> import crazing as cz
         >>> print(cz.Recipe(opening=0.6).to_toml().splitlines()[:5])
-        ['[recipe]', 'n = 300', 'sampler = "uniform"', 'relax = 0', 'tree = "depth-first"']
+        ['[recipe]', 'generator = "maze"', 'n = 300', 'sampler = "uniform"', 'relax = 0']
         """
         heads = [f"{key} = {_toml(getattr(self, key))}" for key in _TEXTS if getattr(self, key)]
         rows = [f"{key} = {_toml(getattr(self, key))}" for key in _STEPS]

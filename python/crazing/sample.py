@@ -2,18 +2,30 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from crazing import _core, arguments
+from crazing import _core, arguments, outline
 from crazing.contour import contours
 from crazing.images import brightness
+from crazing.region import as_region
 from crazing.rng import RNG, key
 
-__all__ = ["from_density", "from_image", "laplace", "normal", "poisson_disk", "relax", "uniform"]
+__all__ = [
+    "from_density",
+    "from_image",
+    "from_polygon",
+    "from_svg",
+    "laplace",
+    "normal",
+    "poisson_disk",
+    "relax",
+    "uniform",
+]
 
 Points: TypeAlias = NDArray[np.float64]
 
@@ -357,6 +369,90 @@ def from_image(
         raise ValueError(f"n is {n!r} and spacing is {spacing!r}; only one of them is wanted")
     found = contours(image, level)
     return found.coords.copy() if n is None and spacing is None else found.evenly(n, spacing=spacing)
+
+
+def from_polygon(polygon: Any, *, n: int | None = None, spacing: float | None = None) -> Points:
+    """Points on the boundary of a polygon with holes.
+
+    Parameters
+    ----------
+    polygon : array_like, shapely geometry, mapping, Region or path
+        A ring, an (k, 2) array; a list of rings; anything with a ``__geo_interface__`` or a GeoJSON mapping of type
+        Polygon, MultiPolygon or Feature; or the path of a GeoJSON file with one.
+    n, spacing
+        As for `from_image`, the spacing in data units. Without either: the corners as they are.
+
+    Returns
+    -------
+    (n, 2) float64
+        Ring after ring, in the order of the corners, first points not repeated, in data units.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If there is no polygon, or both `n` and `spacing` are given.
+    CrazingError
+        If a coordinate is NaN or infinite, or every ring is too short for `spacing`.
+    OSError
+        If the file cannot be read.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> cz.sample.from_polygon([(0, 0), (2, 0), (2, 1), (0, 1)], n=6)
+    array([[0., 0.],
+           [1., 0.],
+           [2., 0.],
+           [2., 1.],
+           [1., 1.],
+           [0., 1.]])
+    """
+    if isinstance(polygon, (str, os.PathLike)):
+        polygon = outline.geojson(polygon)
+    region = as_region(polygon, "polygon")
+    lines = outline.rings([*np.split(region.coords, region.offsets[1:-1])])
+    return outline.spread(lines, n, spacing)
+
+
+def from_svg(source: str | os.PathLike[str], *, n: int | None = None, spacing: float | None = None) -> Points:
+    """Points on the paths of an SVG picture.
+
+    Needs svgpathtools, the extra `svg`.
+
+    Parameters
+    ----------
+    source : str or path-like
+        The path of an .svg file, all of whose paths and basic shapes are taken, without their transforms; or path
+        data, which begins with M or m.
+    n, spacing
+        As for `from_image`, the spacing in the units of the picture. Without either: the ends of all segments, and
+        31 points within every curved one.
+
+    Returns
+    -------
+    (n, 2) float64
+        Path after path. y is turned to point up, so it is the negative of what the picture says.
+
+    Raises
+    ------
+    ValueError
+        If there is no path, the data cannot be read, or both `n` and `spacing` are given.
+    CrazingError
+        If every path is too short for `spacing`.
+    OSError
+        If the file cannot be read.
+    ImportError
+        If svgpathtools is not installed.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> cz.sample.from_svg("M0 0 H4 V2 H0 Z", spacing=2)[:3]
+    array([[0., 0.],
+           [2., 0.],
+           [4., 0.]])
+    """
+    return outline.spread(outline.svg_lines(source), n, spacing)
 
 
 def _pair(value: Any, name: str) -> tuple[float, float]:

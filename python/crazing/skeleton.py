@@ -173,13 +173,15 @@ class Skeleton(Record):
         Measured on 1,000 samples of an ellipse and of a flower with 13 petals, moved by up to a quarter of their
         spacing: the inner one-step axis has about 350 leaves in one component. The edge-filtered axis looks cleaner
         without noise because it drops edges; with it, it falls into a hundred components, which no pruning puts
-        together. Pruned by the default, the one-step axis has exactly 2 and 13 leaves, for 300 to 10,000 samples, also
-        when the noise is normal with that deviation; at 0.4 of the spacing samples change places along the curve, and
-        the default fails as often as not. The axis is then at most 2.8 times the noise from the true one (1.7 if it is uniform) and its tips
-        are cut by at most 2.9 % of the diameter (1,000 samples; normal noise on more samples leaves a tip askew now and
-        then). Sources: Ogniewicz, Kübler:
-        Hierarchic Voronoi Skeletons, 1995 (arc residual); Chazal, Lieutier: The lambda-medial axis, 2005 (chord);
-        Gold, Thibault: Map generalization by skeleton retraction, 2001.
+        together. Pruned by the default, the one-step axis has exactly 2 and 13 leaves, for 1,000 and 3,000 samples,
+        also when the noise is normal with that deviation; at 0.4 of the spacing samples change places along the
+        curve, and the default fails as often as not. The axis of 1,000 samples is then at most 1.7 times the noise
+        from the true one, 2.8 times if that is normal, and its tips are cut by at most 2.9 % of the diameter, 4.4 %
+        if it is normal. Normal noise on more samples leaves a tip askew now and then.
+
+        Sources: Ogniewicz, Kübler: Hierarchic Voronoi Skeletons, 1995 (arc residual); Chazal, Lieutier: The
+        lambda-medial axis, 2005 (chord); Gold, Thibault: Map generalization by skeleton retraction, 2001. The height
+        is our own.
 
         Examples
         --------

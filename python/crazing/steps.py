@@ -19,6 +19,9 @@ from crazing.rng import RNG, key
 
 __all__ = ["Drawing", "draw", "follow", "impact", "roughen", "split", "straighten", "walls", "warp", "widen"]
 
+#: The shortest reach of a source, data units: widths fade by a power of the distance over it.
+NEAREST = 1e-300
+
 Bounds: TypeAlias = tuple[float, float, float, float]
 #: Vertices, edges, shifts, period, cut.
 Net: TypeAlias = tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int8], tuple[float, float], NDArray[np.bool_]]
@@ -120,13 +123,13 @@ def stretched(maze: Maze, matrix: NDArray[np.float64], centre: NDArray[np.float6
     (vertices, edges, shifts, period, cut), (anchors, kites, turns) = _walls(maze)
     back = [np.ascontiguousarray(points @ matrix.T + centre) for points in (vertices, anchors)]
     if any(period):
-        sides = np.abs(matrix) @ np.asarray(period)
         if abs(matrix[0, 1]) > abs(matrix[0, 0]):  # A quarter turn: what crossed the one side crosses the other.
             turn = np.sign(matrix[0, 1]), np.sign(matrix[1, 0])
             shifts = np.ascontiguousarray(shifts[:, ::-1] * np.array(turn, dtype=np.int8))
             turns = np.ascontiguousarray(turns.reshape(-1, 3, 2)[:, :, ::-1] * np.array(turn, dtype=np.int8))
             turns = turns.reshape(-1, 6)
-        period = float(sides[0]), float(sides[1])
+        # The bounds are the period as it was given; through the frame and back it would be off by roundings.
+        period = bounds[2] - bounds[0], bounds[3] - bounds[1]
         return _paired((back[0], edges, shifts, period, cut), (back[1], kites, turns), bounds)
     net, fence = (back[0], edges, shifts, period, cut), (back[1], kites, turns)
     nobody = np.full(2 * len(edges), -1, dtype=np.int32)
@@ -590,7 +593,7 @@ def widen(
         arguments.number(unevenness, "unevenness", low=0, high=4),
         arguments.number(unit, "unit", low=0),
         (arguments.number(x, "source[0]"), arguments.number(y, "source[1]")),
-        arguments.number(reach, "reach", low=1e-300),
+        arguments.number(reach, "reach", low=NEAREST),
         arguments.number(fade, "fade", low=0, high=100),
     )
     found = _core.crack_widths(drawing.net, drawing.partner, np.ascontiguousarray(drawing.age), profile, key(rng))

@@ -100,7 +100,7 @@ class Targets:
         Examples
         --------
         >>> import crazing as cz
-        >>> cz.targets("painting-italian").measure(cz.crack(n=100, rng=1)).loops_per_junction < 0.1
+        >>> cz.targets("painting-italian").measure(cz.crack(n=100, rng=1)).i_nodes > 0.3
         True
         """
         return measure(crack, raster=self.pixels)

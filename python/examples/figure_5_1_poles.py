@@ -1,33 +1,32 @@
-"""Figure 5.1: the poles of random points.
+"""Figure 5.1: the Voronoi poles of random points.
 
-The first pole of a cell is its corner farthest from the site, the second the one farthest beyond the site. Open cells
-at the rim have only the corners that are there.
+Of every cell the vertex farthest from its site, and the one on the other side; the remaining vertices are let go.
 """
 
-import numpy as np
-from figure import save
-from matplotlib.collections import LineCollection
+from axes_grid import AXIS, SAMPLE, save
 from matplotlib.figure import Figure
 
 import crazing as cz
 
 
-def draw(small: bool) -> Figure:
-    d = cz.diagram(cz.sample.uniform(12 if small else 24, rng=11))
-    poles = cz.poles(d)
-    figure = Figure(figsize=(5.6, 5.8), layout="constrained")
-    ax = d.voronoi((-0.3, -0.3, 1.3, 1.3)).plot(figure.subplots(), color="0.6", linewidth=0.8)
-    for column, (color, name) in enumerate((("#0072b2", "first pole"), ("#009e73", "second pole"))):
-        there = poles[:, column] >= 0
-        to = d.vertices[poles[there, column]]
-        ax.add_collection(LineCollection(np.stack([d.sites[there], to], axis=1), colors=color, linewidths=0.8))
-        ax.plot(*to.T, "s", color=color, markersize=5 - column, label=name)
-    ax.plot(*d.sites.T, "o", color="#d55e00", markersize=4, label="site")
-    ax.set(xlim=(-0.3, 1.3), ylim=(-0.3, 1.3), aspect="equal")
+def figure(small: bool) -> Figure:
+    d = cz.diagram(cz.sample.uniform(15 if small else 40, rng=4))
+    found = cz.poles(d)
+    rows = found[found >= 0]
+    drawing = Figure(figsize=(5.4, 5.6), layout="constrained")
+    ax = d.voronoi((-0.2, -0.2, 1.2, 1.2)).plot(drawing.subplots(), color="#8c8c8c", linewidth=0.8)
+    ax.plot(*d.vertices.T, "o", color="white", markeredgecolor="#8c8c8c", markersize=4)
+    ax.plot(*d.vertices[rows].T, "o", color=AXIS, markersize=5)
+    ax.plot(*d.sites.T, "o", color=SAMPLE, markersize=4)
+    for site, pair in zip(d.sites, found, strict=True):
+        for pole in d.vertices[pair[pair >= 0]]:
+            ax.plot(*zip(site, pole, strict=True), color=AXIS, linewidth=0.6, alpha=0.6)
+    ax.set(
+        title=f"{len(set(rows.tolist()))} poles among {len(d.vertices)} vertices", xlim=(-0.2, 1.2), ylim=(-0.2, 1.2)
+    )
     ax.set_axis_off()
-    figure.legend(loc="outside lower center", ncols=3, frameon=False)
-    return figure
+    return drawing
 
 
 if __name__ == "__main__":
-    save(__doc__, "figure_5_1", draw)
+    save(figure, "figure_5_1", __doc__)

@@ -1,10 +1,20 @@
-"""Figure 5.5: nested curves, their axes before and after edge filtering.
+"""Figure 5.5: nested curves, their axes before and after the edge filter.
 
-What the filter takes away in one round is not there to breed further triangles in the next.
+Third iteration, when all vertices of the first two have joined the samples.
 """
 
-from figure import save
-from nested_rows import rows
+from axes_grid import draw, save
+from figure_4_1_crust_steps import curve
+from matplotlib.figure import Figure
+
+import crazing as cz
+
+
+def figure(small: bool) -> Figure:
+    points = curve(16 if small else 48)
+    pair = [(method, cz.nested(points, iterations=3, method=method)[-1]) for method in ("initial", "edge-filter")]
+    return draw([pair], (-1.6, -1.6, 1.6, 1.6))
+
 
 if __name__ == "__main__":
-    save(__doc__, "figure_5_5", lambda small: rows(("initial", "edge-filter"), 24 if small else 48))
+    save(figure, "figure_5_5", __doc__)

@@ -1,4 +1,4 @@
-"""The two pictures of the README: a strip of crack textures, and two skeleton methods on a leaf.
+"""The pictures of the README: presets in light, a strip of crack patterns, and two skeleton methods on a leaf.
 
 The strip shows three patterns of one seed: cracks as trees, as the thesis has them; cracks that close their plates, as
 in a glaze; and cracks around an impact.
@@ -9,9 +9,11 @@ from pathlib import Path
 
 import numpy as np
 from figure_5_8_one_step_against_edge_filter import draw
+from gallery import MAPS, pattern
 from leaf import picture
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
+from PIL import Image
 
 import crazing as cz
 
@@ -34,6 +36,23 @@ def strip(side: int) -> NDArray[np.uint8]:
     return np.concatenate([parts[0], gap, parts[1], gap, parts[2]], axis=1)
 
 
+#: Two rows of presets.
+SHOWN = (
+    ("mud-mature", "bark", "glaze", "old-varnish"),
+    ("ice", "painting-italian", "rock", "mud-fresh"),
+)
+
+
+def presets(side: int) -> NDArray[np.uint8]:
+    """Lit textures of some presets, drawn twice as fine and scaled down."""
+
+    def lit(name: str) -> NDArray[np.uint8]:
+        large = Image.fromarray(cz.texture(pattern(name), 2 * side, maps=MAPS, material=name).lit())
+        return np.asarray(large.resize((side, side), Image.Resampling.LANCZOS))
+
+    return np.concatenate([np.concatenate([lit(name) for name in row], axis=1) for row in SHOWN])
+
+
 def skeletons(n: int) -> Figure:
     return draw(cz.compare(cz.sample.from_image(picture(), n=n)))
 
@@ -47,6 +66,7 @@ def main() -> None:
     given = parser.parse_args()
     given.output.mkdir(parents=True, exist_ok=True)
     cz.save_png(given.output / "crack.png", strip(64 if given.small else 352))
+    Image.fromarray(presets(48 if given.small else 300)).save(given.output / "presets.jpg", quality=85)
     skeletons(150 if given.small else 600).savefig(given.output / "skeletons.png", dpi=50 if given.small else 110)
 
 

@@ -100,11 +100,11 @@ def test_crack_under_a_moving_light(opened: Opener) -> None:
     editor.mode("crack")
     editor.settle()
     dark = shot(editor)
-    editor.turn("recipe", "glaze")
+    editor.turn("recipe", "painting-italian")
     editor.settle()
     # The knobs follow the recipe.
     opening = editor.page.locator("[data-knob=opening]:visible input").input_value()
-    assert float(opening) == cz.preset("glaze").opening
+    assert abs(float(opening) - cz.preset("painting-italian").opening) <= 0.005
     assert far(dark, shot(editor)) > 0.01
     lit = shot(editor).astype(int)
     editor.turn("side", 315)
@@ -113,13 +113,13 @@ def test_crack_under_a_moving_light(opened: Opener) -> None:
     assert np.abs(lit - other).max() > 40
     editor.turn("opening", 0)
     editor.settle()
-    assert rows(editor)["free ends"] != ["0"] or rows(editor)["pieces"] == ["1"]
+    assert int(rows(editor)["edges"][0].replace(",", "")) > 50
     editor.turn("plates", "of the recipe")
     editor.settle()
     editor.do("clear")
     editor.settle()
     assert not editor.page.locator(".crz-empty").is_visible()
-    assert int(rows(editor)["edges"][0]) > 50
+    assert int(rows(editor)["edges"][0].replace(",", "")) > 50
 
 
 def disc(kind: str) -> bytes:
@@ -212,19 +212,21 @@ def test_files_are_taken_away_and_read_back(opened: Opener, tmp_path: Any, monke
     assert name == "skeleton.png"
     assert max(Image.open(io.BytesIO(png)).size) == 512
     editor.mode("crack")
-    editor.turn("recipe", "glaze")
+    editor.turn("recipe", "painting-italian")
     editor.turn("opening", 0.5)
     name, recipe = editor.keep("export-recipe")
     (tmp_path / name).write_bytes(recipe)
     loaded = cz.Recipe.load(tmp_path / name)
-    assert loaded == cz.preset("glaze").replace(opening=0.5)
+    assert loaded == cz.preset("painting-italian").replace(opening=0.5)
     _, png = editor.keep("export-png")
     editor.do("script")
     editor.page.locator(".crz-script").wait_for()
     editor.page.wait_for_function("() => document.querySelector('.crz-script').value")
     names = made(editor.page.locator(".crz-script").input_value())
-    assert names["crack"] == loaded.crack(FLOWER, rng=7)
-    shown = cz.texture(names["crack"], Image.open(io.BytesIO(png)).size[::-1], maps="color", material="glaze", seed=7)
+    assert names["crack"] == loaded.crack(FLOWER, bounds=names["crack"].bounds, rng=7)
+    shown = cz.texture(
+        names["crack"], Image.open(io.BytesIO(png)).size[::-1], maps="color", material="painting-italian", seed=7
+    )
     assert np.array_equal(np.asarray(Image.open(io.BytesIO(png))), shown["color"])
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from functools import partial
 from typing import TYPE_CHECKING
 
 import click
@@ -20,6 +22,15 @@ if TYPE_CHECKING:
 MOST_POINTS = 1_000_000
 
 
+def _numbers(ctx: click.Context, parameter: click.Parameter, value: str | None) -> list[int] | None:
+    if value is None:
+        return None
+    words = value.split(",")
+    if not all(word.strip().isdecimal() and 3 <= int(word) <= MOST_POINTS for word in words):
+        raise click.BadParameter(f"{value!r} is no list of numbers from 3 to {MOST_POINTS}, parted by commas.")
+    return [int(word) for word in words]
+
+
 @click.command("compare")
 @click.argument("image", type=click.Path(exists=True, dir_okay=False))
 @click.option(
@@ -28,6 +39,13 @@ MOST_POINTS = 1_000_000
     metavar="N",
     help="Samples along the contour; by default its own points, about one a pixel.",
 )
+@click.option(
+    "--sizes",
+    callback=_numbers,
+    metavar="N,N,...",
+    help="Several numbers of samples instead: a study with a line for each.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print the table as JSON.")
 @click.option(
     "--level",
     type=float,
@@ -47,37 +65,53 @@ MOST_POINTS = 1_000_000
     show_default=True,
     help="Pixels an inch; the figure is 13 inches wide.",
 )
-@output_option
+@partial(output_option, required=False)
 def command(
     *,
     image: str,
     points: int | None,
+    sizes: list[int] | None,
+    as_json: bool,
     level: tuple[float, ...],
     first: str,
     second: str,
     dpi: int,
-    output: str,
+    output: str | None,
 ) -> None:
     """Compares two skeleton methods on the contour of IMAGE.
 
-    Writes a figure: the first skeleton, the second, and both over one another. Prints a table of their sizes.
-    METHOD is initial, edge-filter or one-step. A contour that runs off the picture ends there.
+    Prints a table of their sizes, distances and times. With -o, writes a figure: the first skeleton, the second, and
+    both over one another. METHOD is initial, poles, edge-filter or one-step. A contour that runs off the picture ends
+    there.
 
-    Example: crazing compare leaf.png --points 600 -o figure.png
+    Example: crazing compare leaf.png --sizes 192,209,383,1043 -o figure.png
     """
-    # A missing package is better known before the work than after it.
-    require("matplotlib.figure", "plot")
-    with steps(4) as begin:
+    if sizes is not None and points is not None:
+        raise click.UsageError("--points and --sizes exclude one another.")
+    if output is not None:
+        # A missing package is better known before the work than after it.
+        require("matplotlib.figure", "plot")
+    with steps(2 if output is None else 4) as begin:
         begin("reading")
-        samples = crazing.sample.from_image(read_image(image), level=level if len(level) > 1 else level[0], n=points)
+        picture, levels = read_image(image), level if len(level) > 1 else level[0]
         begin("comparing")
-        comparison = crazing.compare(samples, first, second)
-        begin("drawing")
-        figure = _figure(comparison)
-        begin("writing")
-        with opened(output) as file:
-            figure.savefig(file, format="png", dpi=dpi)
-    say(str(comparison), output)
+        found: crazing.Study | crazing.Comparison
+        if sizes is None:
+            found = crazing.compare(crazing.sample.from_image(picture, level=levels, n=points), first, second)
+        else:
+            found = crazing.compare_sizes(picture, sizes, first, second, level=levels)
+        if output is not None:
+            begin("drawing")
+            figure = _figure(found) if isinstance(found, crazing.Comparison) else found.plot()
+            begin("writing")
+            with opened(output) as file:
+                figure.savefig(file, format="png", dpi=dpi)
+    say(_json(found) if as_json else str(found), output)
+
+
+def _json(found: crazing.Study | crazing.Comparison) -> str:
+    study = found if isinstance(found, crazing.Study) else crazing.Study((found,))
+    return json.dumps(study.table, indent=1)
 
 
 def _figure(comparison: crazing.Comparison) -> Figure:

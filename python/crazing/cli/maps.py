@@ -52,7 +52,7 @@ class Order:
             origin = provenance.of_recipe(
                 recipe, seed=self.seed, preset=self.preset, width=self.width, age=age, **frame
             )
-            grown = crack if age is None else crack.at(age)  # type: ignore[attr-defined]
+            grown = crack if age is None else crack.at(age)
             with rows() as progress:
                 made += crazing.write_texture(
                     grown,

@@ -69,13 +69,17 @@ def command(*, output: str, solution: bool, seed: int | None, thickness: float |
 
 def _maze(*, n: int, within: str | None, cells: str, tree: str, seed: int, page: tuple[float, float]) -> crazing.Maze:
     rng = np.random.default_rng(seed)
+    # There are two triangles a point.
+    count = n if cells == "voronoi" else max(3, n // 2)
     if within is None:
         box = (0.0, 0.0, float(page[0]), float(page[1]))
-        points = crazing.sample.uniform(n, bounds=box, rng=rng)
+        points = crazing.sample.uniform(count, bounds=box, rng=rng)
         return crazing.maze(points, cells=cells, tree=tree, bounds=box, rng=rng)
     region = as_region(read_image(within))
-    # As many points as leave about n in the shape.
+    # As many points as leave about `count` in the shape.
     probe = crazing.sample.uniform(4096, bounds=region.bounds, rng=rng)
     share = max(float(region.contains(probe).mean()), 1e-3)
-    points = crazing.sample.uniform(int(n / share), bounds=region.bounds, rng=rng)
+    points = crazing.sample.uniform(int(count / share), bounds=region.bounds, rng=rng)
+    if cells == "delaunay":
+        points = points[region.contains(points)]
     return crazing.maze(points, cells=cells, tree=tree, within=region, rng=rng)

@@ -17,8 +17,10 @@ from crazing.files import atomic_write
 STANDARD = "-"
 
 
-def checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
+def checked(ctx: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
     """Refuses, before any work is done, a place that could not take the picture."""
+    if value is None:
+        return None
     if value == STANDARD:
         if sys.stdout.isatty():
             raise click.BadParameter("a PNG is not written to a terminal; name a file or redirect.")
@@ -33,10 +35,10 @@ def checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
     return value
 
 
-def output_option(function: Callable[..., Any]) -> Callable[..., Any]:
+def output_option(function: Callable[..., Any], *, required: bool = True) -> Callable[..., Any]:
     """Adds `-o` to a command that makes a PNG."""
     words = "Where to write the picture, a PNG; - is standard output."
-    return click.option("-o", "--output", required=True, metavar="FILE", callback=checked, help=words)(function)
+    return click.option("-o", "--output", required=required, metavar="FILE", callback=checked, help=words)(function)
 
 
 @contextlib.contextmanager
@@ -50,6 +52,6 @@ def opened(output: str) -> Iterator[BinaryIO]:
             yield file
 
 
-def say(text: str, output: str) -> None:
+def say(text: str, output: str | None) -> None:
     """Prints the words of a result; to standard error where the picture has standard output."""
     click.echo(text, err=output == STANDARD)

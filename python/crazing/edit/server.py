@@ -131,7 +131,7 @@ class Server:
             self._guard,
             ws="websockets-sansio",
             ws_max_size=LONGEST_MESSAGE,
-            log_level="error",
+            log_level="critical",
             access_log=False,
             server_header=False,
             lifespan="off",

@@ -51,3 +51,15 @@ pub(crate) fn graph_compact<'py>(
     let small = detached(py, |watch| crazing::graph::compact(vertices, edges, watch))?;
     Ok((table(py, small.vertices)?, table(py, small.edges)?))
 }
+
+/// Distance of every point from the nearest edge.
+#[pyfunction]
+pub(crate) fn graph_distances<'py>(
+    py: Python<'py>,
+    vertices: PyReadonlyArray2<'py, f64>,
+    edges: Edges<'py>,
+    points: PyReadonlyArray2<'py, f64>,
+) -> PyResult<Row<'py, f64>> {
+    let (vertices, edges, points) = (rows(&vertices)?, rows(&edges)?, rows(&points)?);
+    Ok(PyArray1::from_vec(py, detached(py, |_| crazing::graph::distances(vertices, edges, points))?))
+}

@@ -33,7 +33,7 @@ mod _core {
         constrained_diagram, depths, diagram, dual_edges, onext, periodic_diagram, representatives, tile,
     };
     #[pymodule_export]
-    use crate::graph::{graph_compact, graph_components, graph_degrees, graph_polylines};
+    use crate::graph::{graph_compact, graph_components, graph_degrees, graph_distances, graph_polylines};
     #[pymodule_export]
     use crate::guard::{CrazingError, DegenerateInputError, InternalError};
     #[pymodule_export]

@@ -1,11 +1,13 @@
 //! Any drawing of straight edges.
 
+mod apart;
 mod components;
 mod polylines;
 
 use crate::error::{Error, Result};
 use crate::watch::Watch;
 
+pub use apart::distances;
 pub use components::{Components, components};
 pub use polylines::{Polylines, polylines};
 

@@ -1,4 +1,5 @@
 //! Textures: one hash for every build and processor, and distances against a plain computation.
+#![allow(clippy::unwrap_used, missing_docs)]
 
 use crazing::texture::{Maps, Material, Pattern, Sides, View, Window, plates, texture};
 use crazing::{Error, Watch};

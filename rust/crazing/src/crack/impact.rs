@@ -146,7 +146,8 @@ impl Star {
             .half
             .map_or(2.0 * self.reach, |half| (half[0] / libm::cos(angle).abs()).min(half[1] / libm::sin(angle).abs()));
         let chance = self.normal();
-        let to = if chance > 0.0 {
+        // Two of three get all the way.
+        let to = if chance > -0.43 {
             most
         } else {
             start.0 + (self.reach.min(most) - start.0).max(0.0) * libm::exp(0.6 * chance)

@@ -105,7 +105,7 @@ pub fn cell_with_door(doors: Doors<'_>, key: Key) -> Option<usize> {
         sides.iter().for_each(|&cell| with_door[cell as usize] = true);
     }
     let count = with_door.iter().filter(|&&with| with).count();
-    let drawn = (u128::from(key[0]) * count as u128 >> 64) as usize;
+    let drawn = ((u128::from(key[0]) * count as u128) >> 64) as usize;
     (0..doors.cells).filter(|&cell| with_door[cell]).nth(drawn)
 }
 

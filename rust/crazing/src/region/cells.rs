@@ -29,7 +29,7 @@ pub struct Cells {
 /// The cells of `view` within `region`.
 ///
 /// # Errors
-/// [`crate::Error::Interrupted`].
+/// [`crate::Error::BadValue`] for sites too far away to be multiplied; [`crate::Error::Interrupted`].
 pub fn cells(view: DiagramView<'_>, region: &Region, watch: Watch<'_>) -> Result<Cells> {
     let chains = Chains::of(view, region, watch)?;
     let mut cells = Cells {

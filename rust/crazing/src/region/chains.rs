@@ -3,7 +3,8 @@
 use super::{Crossing, Region, on_way};
 use crate::clip::Ways;
 use crate::diagram::DiagramView;
-use crate::error::Result;
+use crate::diagram::scale::largest;
+use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::parallel;
 use crate::watch::Watch;
@@ -41,6 +42,9 @@ pub(super) struct Chains {
     least: f64,
 }
 
+/// Coordinates that can be multiplied.
+const FARTHEST: f64 = 1e150;
+
 /// The shortest door as a part of the extent of a region.
 const LEAST: f64 = 1e-12;
 
@@ -76,6 +80,11 @@ impl Chains {
         if region.sides.is_empty() {
             chains.inside = vec![false; view.edges.len()];
             return Ok(chains);
+        }
+        let value = largest(view.sites);
+        if value >= FARTHEST {
+            let wanted = "less than 1e150 is wanted beside a region";
+            return Err(Error::BadValue { name: "the largest coordinate of a site", value, wanted });
         }
         let bounds = beyond(region);
         let size = bounds.iter().fold(bounds[2] - bounds[0], |size, x| size.max(x.abs()));

@@ -19,7 +19,8 @@ pub struct Doors {
 /// The pieces that `wanted` names by their doors, in the order of their dual edges.
 ///
 /// # Errors
-/// [`Error::BadLength`] when `wanted` has not one entry a door; [`Error::Interrupted`].
+/// [`Error::BadLength`] when `wanted` has not one entry a door; [`Error::BadValue`] as [`super::cells::cells`];
+/// [`Error::Interrupted`].
 pub fn doors(view: DiagramView<'_>, region: &Region, wanted: &[bool], watch: Watch<'_>) -> Result<Doors> {
     let chains = Chains::of(view, region, watch)?;
     let representative = representatives(view);

@@ -191,10 +191,9 @@ impl Grid {
         };
         near.sort_unstable();
         for (i, &side) in near.iter().enumerate() {
-            if i == 0 || near[i - 1] != side {
-                if let Some(found) = crossing([a, b], sides[side as usize], side) {
-                    tell(found);
-                }
+            let is_new = i == 0 || near[i - 1] != side;
+            if let Some(found) = crossing([a, b], sides[side as usize], side).filter(|_| is_new) {
+                tell(found);
             }
         }
     }

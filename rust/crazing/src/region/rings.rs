@@ -11,7 +11,7 @@ use crate::watch::Watch;
 /// The sides of the rings: those there an odd number of times, cut at the corners that lie on them.
 pub(super) fn sides(coords: &[Point], offsets: &[i64], watch: Watch<'_>) -> Result<Vec<[Point; 2]>> {
     let rows = rows(coords, offsets)?;
-    let sides = once(coords, rows);
+    let sides = once(coords, &rows);
     let touched = check_apart(coords, &sides, "outline side", watch)?;
     let mut cut = Vec::with_capacity(sides.len() + touched.len());
     let mut touches = touched.into_iter().peekable();
@@ -48,7 +48,7 @@ fn rows(coords: &[Point], offsets: &[i64]) -> Result<Vec<[u32; 2]>> {
 }
 
 /// Without the pairs of sides that join the same places.
-fn once(coords: &[Point], sides: Vec<[u32; 2]>) -> Vec<[u32; 2]> {
+fn once(coords: &[Point], sides: &[[u32; 2]]) -> Vec<[u32; 2]> {
     let key = |k: u32| {
         let [a, b] = sides[k as usize].map(|end| coords[end as usize]);
         if a < b { [a, b] } else { [b, a] }
@@ -62,8 +62,11 @@ fn once(coords: &[Point], sides: Vec<[u32; 2]>) -> Vec<[u32; 2]> {
     kept.into_iter().map(|k| sides[k as usize]).collect()
 }
 
-/// Sides in the order of their rings, whether each is turned round, and where the rings start.
-pub(super) fn traced(region: &Region, watch: Watch<'_>) -> Result<(Vec<(u32, bool)>, Vec<usize>)> {
+/// Sides in the order of their rings and whether each is turned round; and where the rings start.
+pub(super) type Traced = (Vec<(u32, bool)>, Vec<usize>);
+
+/// The rings that the sides make.
+pub(super) fn traced(region: &Region, watch: Watch<'_>) -> Result<Traced> {
     let next = paired(region, watch)?;
     let mut seen = vec![false; region.sides.len()];
     let (mut order, mut rings) = (Vec::with_capacity(seen.len()), vec![0]);

@@ -18,7 +18,7 @@ use crate::watch::Watch;
 /// In a cell without outline the line goes by the site; in others from triangle to triangle of the part.
 ///
 /// # Errors
-/// [`Error::BadIndex`], [`Error::BadLength`], [`Error::Interrupted`].
+/// [`Error::BadIndex`], [`Error::BadLength`], [`Error::BadValue`], [`Error::Interrupted`].
 pub fn route(
     view: DiagramView<'_>,
     region: &Region,

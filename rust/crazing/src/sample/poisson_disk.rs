@@ -37,7 +37,7 @@ pub fn poisson_disk(radius: f64, bounds: [f64; 4], on_torus: bool, key: Key, wat
         for _ in 0..TRIES {
             watch.poll_at(step)?;
             step += 1;
-            let p = grid.into_bounds(about(centre, radius, &mut rng));
+            let p = grid.inside_bounds(about(centre, radius, &mut rng));
             if let Some(p) = p.filter(|&p| grid.is_free(p)) {
                 active.push(grid.points.len() as u32);
                 grid.add(p);
@@ -90,7 +90,7 @@ impl Grid {
         Ok(Self { radius, bounds, on_torus, counts, sides, reach, cells, points: Vec::new() })
     }
 
-    fn into_bounds(&self, p: Point) -> Option<Point> {
+    fn inside_bounds(&self, p: Point) -> Option<Point> {
         let size = [self.bounds[2] - self.bounds[0], self.bounds[3] - self.bounds[1]];
         let mut inside = p;
         for i in 0..2 {

@@ -203,14 +203,21 @@ impl<const MOST: usize, F: Fn(Point) -> bool> Walk<'_, MOST, F> {
         if self.disc.meets_ray(at, [q[1] - p[1], p[0] - q[0]]) { self.enter(across) } else { Continue(()) }
     }
 
-    /// Makes a note of the cell of the site that a side begins at.
+    /// Makes a note of the cell of the site that a side begins at, to be entered through the dual of that side.
+    ///
+    /// A cell may be entered through several: a disc that only touches one of them may reach into the cell through
+    /// another, and a walk from the first is then over before it comes there.
     fn enter(&mut self, side: u32) -> ControlFlow<Found> {
         let site = self.cells.origin(side);
-        if self.entered[..self.count].iter().any(|&(known, _)| known == site) {
-            return Continue(());
+        let mut is_new = true;
+        for &(known, from) in &self.entered[..self.count] {
+            if from == side {
+                return Continue(());
+            }
+            is_new &= known != site;
         }
         let position = self.cells.sites[site as usize];
-        if (self.inside)(position) {
+        if is_new && (self.inside)(position) {
             return Break(Found::Inside(position));
         }
         if self.count == MOST {

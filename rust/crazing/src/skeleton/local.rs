@@ -110,16 +110,18 @@ impl Edge {
     #[inline]
     fn glance(&self, cells: &Cells<'_>) -> Found {
         let pencil = Pencil::new(self.ends[0], self.ends[1]);
-        let tau = self.middle();
+        let tau = if self.is_crust { self.middle() } else { 0.0 };
+        let disc = pencil.disc(tau);
         let inside = |v: Point| pencil.holds(tau, v);
-        match self.across.into_iter().find(|&v| inside(v)) {
+        // The disc is a little too large, and much cheaper to ask.
+        match self.across.into_iter().find(|&v| disc.holds(disc.place(v)) && inside(v)) {
             Some(v) => Found::Inside(v),
-            None => cells.find::<NEAR>(self.k, pencil.disc(tau), inside),
+            None => cells.find::<NEAR>(self.k, disc, inside),
         }
     }
 
     /// The smallest circle of all, if it does not hold the ends across, else the one in the middle of what they leave.
-    /// A dual edge has only the first: its sites are mirror images.
+    /// For a dual edge it is always the first: its sites are mirror images.
     #[inline]
     fn middle(&self) -> f64 {
         let [p, q] = self.ends;
@@ -128,7 +130,7 @@ impl Edge {
             (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0])
         };
         let [(dot_low, cross_low), (dot_high, cross_high)] = self.across.map(apex);
-        let both_sides = self.is_crust && cross_low < 0.0 && cross_high > 0.0;
+        let both_sides = cross_low < 0.0 && cross_high > 0.0;
         if both_sides && dot_low.min(dot_high) < 0.0 {
             0.5 * (dot_low / cross_low + dot_high / cross_high)
         } else {

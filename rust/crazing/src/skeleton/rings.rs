@@ -24,7 +24,7 @@ pub(super) struct Stand {
 }
 
 /// The lines of a crust. Under noise a line may miss an edge or lose a few samples: gaps of a few steps are closed, and
-/// sites beside a line stand where the nearest of it does; see [`gaps`](super::gaps).
+/// sites beside a line stand where the nearest of it does; see the file `gaps.rs`.
 #[derive(Debug)]
 pub struct Rings<'a> {
     pub(super) view: DiagramView<'a>,

@@ -54,7 +54,7 @@ struct Walk {
 /// The plates of a crack; `period` as for its shifts, `bounds` where there is none.
 ///
 /// # Errors
-/// [`Error::BadIndex`] or [`Error::BadLength`] for arrays that do not fit; [`Error::Interrupted`].
+/// [`crate::Error::BadIndex`] or [`crate::Error::BadLength`] for arrays that do not fit; [`crate::Error::Interrupted`].
 pub fn plates(pattern: &Pattern<'_>, bounds: [f64; 4], period: Option<Point>, watch: Watch<'_>) -> Result<Plates> {
     pattern.check()?;
     let net = Net::new(pattern, bounds, period);

@@ -12,8 +12,8 @@ const TRIES: usize = 6;
 const APART: f64 = 0.16;
 /// How far off the middle a wall may lie, in roots of the area, and how far it may turn, radians (both standard
 /// deviations).
-const OFF: f64 = 0.08;
-const TURN: f64 = 0.12;
+const OFF: f64 = 0.13;
+const TURN: f64 = 0.2;
 /// Pieces of a bent wall.
 const PIECES: usize = 8;
 /// A wall that leaves straighter than this (cosine) is not bent.
@@ -86,7 +86,8 @@ struct Hit {
 /// The nearest sides before and behind `from`.
 fn hits(polygon: &[Point], from: Point, way: Point) -> Option<[Hit; 2]> {
     let off = |p: Point| way[0] * (p[1] - from[1]) - way[1] * (p[0] - from[0]);
-    let (mut behind, mut before): (Option<(f64, Hit)>, Option<(f64, Hit)>) = (None, None);
+    let mut behind: Option<(f64, Hit)> = None;
+    let mut before: Option<(f64, Hit)> = None;
     for side in 0..polygon.len() {
         let (p, q) = (polygon[side], polygon[(side + 1) % polygon.len()]);
         let (s, t) = (off(p), off(q));

@@ -1,0 +1,88 @@
+"""Lines to be sampled, from polygons and SVG paths."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from crazing.contour import Contours
+from crazing.errors import CrazingError
+from crazing.extras import require
+
+#: Parts of a curved segment: the chord is then off by less than a thousandth of the segment, but at loops.
+PARTS = 32
+
+
+def spread(lines: Contours, n: int | None, spacing: float | None) -> NDArray[np.float64]:
+    """The points of the lines, or points evenly along them."""
+    if n is not None and spacing is not None:
+        raise ValueError(f"n is {n!r} and spacing is {spacing!r}; only one of them is wanted")
+    return lines.coords.copy() if n is None and spacing is None else lines.evenly(n, spacing=spacing)
+
+
+def rings(lines: list[NDArray[np.float64]], closed: list[bool] | None = None) -> Contours:
+    """Lines without repeated points, closed if nothing else is said."""
+    kept, shut = [], []
+    for row, line in enumerate(lines):
+        if not np.isfinite(line).all():
+            raise CrazingError(f"line {row} of the outline holds nan or infinity; every coordinate must be finite")
+        is_closed = closed is None or closed[row]
+        fresh = np.ones(len(line), dtype=bool)
+        fresh[1:] = (line[1:] != line[:-1]).any(axis=1)
+        line = line[fresh]
+        if is_closed and len(line) > 1 and (line[0] == line[-1]).all():
+            line = line[:-1]
+        if len(line) > 1:
+            kept.append(line)
+            shut.append(is_closed)
+    if not kept:
+        raise ValueError("the outline is empty; a line of two distinct points or more is wanted")
+    return Contours(np.concatenate(kept), np.cumsum([0, *map(len, kept)]), np.array(shut))
+
+
+def geojson(path: str | os.PathLike[str]) -> Any:
+    """What a GeoJSON file holds; of a collection with one feature, that."""
+    text = Path(path).read_text(encoding="utf-8")
+    try:
+        found = json.loads(text)
+    except ValueError as error:
+        raise ValueError(f"{os.fspath(path)!r} is no GeoJSON: {error}") from None
+    if isinstance(found, dict) and found.get("type") == "FeatureCollection" and len(found.get("features", ())) == 1:
+        return found["features"][0]
+    return found
+
+
+def svg_lines(source: str | os.PathLike[str]) -> Contours:
+    """The sub-paths of path data or of an SVG file, y up."""
+    svgpathtools = require("svgpathtools", "svg")
+    try:
+        if isinstance(source, str) and source.lstrip()[:1] in ("M", "m"):
+            paths = [svgpathtools.parse_path(source)]
+        else:
+            # Opened here, so that a missing file is said to be missing.
+            paths = svgpathtools.svgstr2paths(Path(source).read_text(encoding="utf-8"))[0]
+        subpaths = [part for path in paths for part in path.continuous_subpaths()]
+        lines = [_flattened(part) for part in subpaths]
+    except OSError:
+        raise
+    except Exception as error:
+        # The parser raises whatever it stumbles over.
+        raise ValueError(f"source cannot be read as SVG: {error}") from None
+    # With Z or without, a line that ends where it began is closed.
+    shut = [bool((line[0] == line[-1]).all()) for line in lines]
+    return rings(lines, shut)
+
+
+def _flattened(path: Any) -> NDArray[np.float64]:
+    points = [path[0].start]
+    for segment in path:
+        straight = type(segment).__name__ == "Line"
+        inner = () if straight else (segment.point(i / PARTS) for i in range(1, PARTS))
+        points += [*inner, segment.end]
+    places = np.array(points, dtype=np.complex128)
+    return np.column_stack([places.real, -places.imag + 0.0])

@@ -1,0 +1,54 @@
+"""Independent knobs: each moves its own statistic and leaves the others near, by `measure`."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import crazing as cz
+
+BASE = {"n": 400, "relax": 1, "opening": 0.6, "rounds": 3, "slide": 0.15, "roughness": 0.02, "hierarchy": 0.4}
+
+# Knob: two values, the statistics it is for (at least so much more at the second), those it may move besides.
+KNOBS = {
+    "opening": ((0.3, 0.9), {"i_nodes": 0.3, "loops_per_junction": -0.2}, {"cell_cv", "width_cv", "segment_cv"}),
+    "rounds": ((0, 6), {"t_share": 0.25}, {"near_right", "tortuosity"}),
+    "slide": ((0.0, 0.6), {"near_right": 0.06}, set()),
+    "roughness": ((0.0, 0.08), {"tortuosity": 0.04}, {"near_right", "t_share", "width_cv"}),
+    "hierarchy": ((0.1, 1.0), {"width_cv": 0.35, "width_ratio": 1.0}, set()),
+    "unevenness": ((0.0, 0.6), {"width_cv": 0.3}, {"width_ratio"}),
+    "fade": ((0.0, 3.0), {"width_cv": 0.3}, {"width_ratio"}),
+    "anisotropy": ((1.0, 3.0), {"orientation": 0.4}, {"t_share", "near_right", "cell_cv"}),
+    "falloff": ((0.0, 1.0), {"cell_cv": 0.15}, {"segment_cv", "width_cv", "width_ratio"}),
+}
+NEAR = {
+    "i_nodes": 0.04,
+    "loops_per_junction": 0.05,
+    "t_share": 0.08,
+    "near_right": 0.05,
+    "tortuosity": 0.04,
+    "width_cv": 0.1,
+    "width_ratio": 0.3,
+    "orientation": 0.12,
+    "cell_cv": 0.15,
+    "segment_cv": 0.08,
+}
+
+
+@cache
+def measured(knob: str, value: float) -> dict[str, float]:
+    found = [cz.measure(cz.crack(**{**BASE, knob: value}, rng=seed)) for seed in range(2)]
+    return {name: float(np.mean([getattr(each, name) for each in found])) for name in NEAR}
+
+
+@pytest.mark.parametrize("knob", KNOBS)
+def test_a_knob_moves_its_statistic_and_leaves_the_others_near(knob: str) -> None:
+    (low, high), own, besides = KNOBS[knob]
+    first, second = measured(knob, low), measured(knob, high)
+    for name, least in own.items():
+        moved = second[name] - first[name]
+        assert (moved >= least) if least > 0 else (moved <= least), (name, first[name], second[name])
+    for name in NEAR.keys() - own.keys() - besides:
+        assert abs(second[name] - first[name]) <= NEAR[name], (name, first[name], second[name])
