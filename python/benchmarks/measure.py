@@ -44,12 +44,13 @@ def table(sites: int, runs: int) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--small", action="store_true", help="few sites")
-    parser.add_argument("-o", "--output", type=Path, help="also write the table here")
+    parser.add_argument("-o", dest="folder", type=Path, help="also write the table to a file in this folder")
     arguments = parser.parse_args()
     found = table(3000, 2) if arguments.small else table(333_000, 3)
     print(found)
-    if arguments.output is not None:
-        arguments.output.write_text(found + "\n")
+    if arguments.folder is not None:
+        arguments.folder.mkdir(parents=True, exist_ok=True)
+        (arguments.folder / "measure.txt").write_text(found + "\n")
 
 
 if __name__ == "__main__":

@@ -47,12 +47,13 @@ def main() -> None:
     parser.add_argument("names", nargs="*", default=list(cz.presets()), help="presets; all by default")
     parser.add_argument("--seeds", type=int, default=200)
     parser.add_argument("--small", action="store_true", help="one seed")
-    parser.add_argument("-o", "--output", type=Path, help="also write the table here")
+    parser.add_argument("-o", dest="folder", type=Path, help="also write the table to a file in this folder")
     arguments = parser.parse_args()
     found = table(arguments.names, 1 if arguments.small else arguments.seeds)
     print(found.splitlines()[-1])
-    if arguments.output is not None:
-        arguments.output.write_text(found + "\n")
+    if arguments.folder is not None:
+        arguments.folder.mkdir(parents=True, exist_ok=True)
+        (arguments.folder / "presets.txt").write_text(found + "\n")
 
 
 if __name__ == "__main__":
