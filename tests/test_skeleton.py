@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+import pickle
+from itertools import pairwise, permutations
 
 import numpy as np
 import pytest
@@ -45,6 +46,16 @@ def test_two_pass_and_initial_are_the_literal_definition(seed: int) -> None:
     ours = {(min(nearest[a], nearest[b]), max(nearest[a], nearest[b])) for a, b in initial.axis.edges.tolist()}
     # Qhull drops a few triangles between far vertices; what it has, we have.
     assert len(ours ^ axis) <= 0.01 * len(axis)
+
+
+@pytest.mark.parametrize("order", list(permutations(("one-step", "two-pass", "edge-filter"))))
+def test_what_one_method_found_serves_the_next(order: tuple[str, ...]) -> None:
+    points = cz.sample.uniform(400, rng=5)
+    shared = cz.diagram(points)
+    for method in order:
+        find = cz.crust if method == "two-pass" else cz.medial_axis
+        assert find(shared, method=method) == find(points, method=method)
+    assert pickle.loads(pickle.dumps(shared)) == shared
 
 
 def gold_snoeyink(d: cz.Diagram) -> NDArray[np.bool_]:

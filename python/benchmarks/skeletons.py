@@ -23,6 +23,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -51,7 +52,7 @@ DATA = {"uniform": uniform, "curve": curve}
 
 
 def crazing(points: Points, clock: Callable[[], float]) -> Outcome:
-    """Diagram, then each method from it, as a user calls them."""
+    """Diagram, then each method from it, as a user calls them: a crust that one has found is there for the next."""
     import crazing as cz
 
     marks = [clock()]
@@ -69,6 +70,20 @@ def crazing(points: Points, clock: Callable[[], float]) -> Outcome:
         "two-pass": len(two_pass.edges),
         "axis": int(filtered.axis_mask.sum()) if filtered.axis_mask is not None else 0,
     }
+
+
+def alone(points: Points, clock: Callable[[], float]) -> dict[str, float]:
+    """Seconds of the two later methods on a diagram that has no crust yet."""
+    import crazing as cz
+
+    diagram = cz.diagram(points)
+    seconds = {}
+    for name, method in (("two-pass alone", cz.crust), ("filter alone", cz.medial_axis)):
+        fresh = replace(diagram)
+        start = clock()
+        method(fresh)
+        seconds[name] = clock() - start
+    return seconds
 
 
 def one_step(points: Points, edges: Indices, vertices: Points, dual: Indices) -> Mask:
@@ -197,7 +212,9 @@ def work(name: str, data: str, count: int, clock: str) -> None:
     seconds = {step: min(times[step] for times, _ in outcomes) for step in outcomes[0][0]}
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     more = merged(points) if name == "triangle" else {}
-    print(json.dumps({"seconds": seconds, "peak": peak, "found": outcomes[0][1] | more}))
+    each = [alone(points, CLOCKS[clock]) for _ in range(runs)] if name == "crazing" else [{}]
+    least = {step: min(times[step] for times in each) for step in each[0]}
+    print(json.dumps({"seconds": seconds, "alone": least, "peak": peak, "found": outcomes[0][1] | more}))
 
 
 def apart(name: str, data: str, count: int, clock: str) -> dict[str, Any]:
@@ -213,7 +230,11 @@ def line(*cells: object) -> str:
 
 def steps(ours: dict[tuple[str, int], dict[str, Any]]) -> list[str]:
     """Each step of ours as a ratio to the diagram, and how the cost of a point grows beside the logarithm of n."""
-    table = [line("points", "data", "ns/point", "growth", "log growth", "one-step", "two-pass", "edge-filter", "all")]
+    names = ("two-pass alone", "filter alone")
+    table = [
+        line("points", "data", "ns/point", "growth", "log growth", "one-step", "two-pass", "edge-filter", "all")
+        + "".join(f"{name:>16}" for name in names)
+    ]
     before: dict[str, tuple[int, float]] = {}
     for (data, count), result in ours.items():
         seconds = result["seconds"]
@@ -222,7 +243,8 @@ def steps(ours: dict[tuple[str, int], dict[str, Any]]) -> list[str]:
         before[data] = count, total / count
         growth = total / count / cost, math.log(count) / math.log(size)
         ratios = [seconds[step] / whole for step in ("one-step", "two-pass", "edge-filter")]
-        table.append(line(count, data, f"{1e9 * total / count:.0f}", *growth, *ratios, total / whole))
+        more = "".join(f"{result['alone'][name] / whole:>16.3f}" for name in names)
+        table.append(line(count, data, f"{1e9 * total / count:.0f}", *growth, *ratios, total / whole) + more)
     return table
 
 

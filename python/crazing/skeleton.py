@@ -309,8 +309,7 @@ def crust(points: ArrayLike | Diagram, *, method: str = "two-pass") -> PlanarGra
     """
     choice(method, "method", CRUSTS)
     diagram = as_diagram(points)
-    mask = _core.crust_mask(diagram.arrays, method)
-    return _crust_graph(diagram, mask)
+    return _crust_graph(diagram, _crust_mask(diagram, method))
 
 
 def poles(points: ArrayLike | Diagram, *, variant: str = "thesis") -> NDArray[np.int32]:
@@ -486,12 +485,30 @@ def _fed_back(diagram: Diagram, within: NDArray[np.float64]) -> NDArray[np.float
     return kept
 
 
+def _crust_mask(diagram: Diagram, method: str) -> Mask:
+    """The crust of a diagram, found once: other methods begin with the one-step crust, and two axes end with the
+    two-pass one. A byte an edge.
+    """
+    known: dict[str, Mask] = vars(diagram).setdefault("_crust_masks", {})
+    if method not in known:
+        arrays = diagram.arrays
+        two_pass = method == "two-pass"
+        mask = _core.two_pass(arrays, _one_step_mask(diagram)) if two_pass else _core.crust_mask(arrays, method)
+        known[method] = _frozen(mask)
+    return known[method]
+
+
 def _one_step_mask(diagram: Diagram) -> Mask:
-    return _core.crust_mask(diagram.arrays, "one-step")
+    return _crust_mask(diagram, "one-step")
 
 
 def _two_pass_mask(diagram: Diagram) -> Mask:
-    return _core.crust_mask(diagram.arrays, "two-pass")
+    return _crust_mask(diagram, "two-pass")
+
+
+def _frozen(mask: Mask) -> Mask:
+    mask.flags.writeable = False
+    return mask
 
 
 def _crust_graph(diagram: Diagram, mask: Mask) -> PlanarGraph:
@@ -509,7 +526,14 @@ def _one_step(diagram: Diagram) -> Skeleton:
 
 
 def _edge_filter(diagram: Diagram) -> Skeleton:
-    crust, axis = _core.edge_filter(diagram.arrays)
+    arrays, one_step = diagram.arrays, _one_step_mask(diagram)
+    known = vars(diagram)["_crust_masks"]
+    if "two-pass" in known:
+        crust, axis = known["two-pass"], _core.filtered_axis(arrays, one_step)
+    else:
+        # Both at once are cheaper than one after the other.
+        crust, axis = _core.edge_filter(arrays, one_step)
+        known["two-pass"] = _frozen(crust)
     return Skeleton(diagram, "edge-filter", _crust_graph(diagram, crust), _axis_graph(diagram, axis), crust, axis)
 
 

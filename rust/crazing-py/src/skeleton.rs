@@ -19,10 +19,21 @@ pub(crate) fn crust_mask<'py>(py: Python<'py>, arrays: Arrays<'py>, method: &str
         "one-step" => skeleton::one_step,
         "gabriel" => skeleton::gabriel,
         "nn" => skeleton::nearest,
-        "two-pass" => skeleton::two_pass,
         _ => return Err(PyValueError::new_err(format!("no crust method {method:?}"))),
     };
     Ok(PyArray1::from_vec(py, detached(py, |_| mask_of(view))?))
+}
+
+/// Whether each edge is in the two-pass crust, where the one-step crust is known.
+#[pyfunction]
+pub(crate) fn two_pass<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    one_step: PyReadonlyArray1<'py, bool>,
+) -> PyResult<Mask<'py>> {
+    let view = arrays.view()?;
+    let one_step = column(&one_step, "one_step", view.edges.len())?;
+    Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::two_pass_among(view, one_step))?))
 }
 
 /// Whether each edge is part of the curve through all samples.
@@ -133,12 +144,29 @@ fn variant(amenta: bool) -> skeleton::Variant {
 
 type Masks<'py> = (Bound<'py, PyArray1<bool>>, Bound<'py, PyArray1<bool>>);
 
-/// Two-pass crust and edge-filtered axis.
+/// Two-pass crust and edge-filtered axis, where the one-step crust is known.
 #[pyfunction]
-pub(crate) fn edge_filter<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Masks<'py>> {
+pub(crate) fn edge_filter<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    one_step: PyReadonlyArray1<'py, bool>,
+) -> PyResult<Masks<'py>> {
     let view = arrays.view()?;
-    let found = detached(py, |_| skeleton::edge_filter(view))?;
+    let one_step = column(&one_step, "one_step", view.edges.len())?;
+    let found = detached(py, |_| skeleton::edge_filter_among(view, one_step))?;
     Ok((PyArray1::from_vec(py, found.crust), PyArray1::from_vec(py, found.axis)))
+}
+
+/// The axis alone, where the crust is known, too.
+#[pyfunction]
+pub(crate) fn filtered_axis<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    one_step: PyReadonlyArray1<'py, bool>,
+) -> PyResult<Mask<'py>> {
+    let view = arrays.view()?;
+    let one_step = column(&one_step, "one_step", view.edges.len())?;
+    Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::filtered_among(view, one_step))?))
 }
 
 /// Edges of the initial axis, by the second triangulation.

@@ -19,7 +19,7 @@ use super::flood::{Cells, Found};
 use super::one_step::{one_step, opposite};
 use super::pencil::Pencil;
 use crate::diagram::{DiagramView, curve_order};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::parallel;
 
@@ -52,9 +52,35 @@ pub struct Local {
 /// # Source
 /// Amenta, Bern, Eppstein: The Crust and the Beta-Skeleton (1998); thesis, section 4.1.
 pub fn two_pass(view: DiagramView<'_>) -> Result<Vec<bool>> {
-    let one_step = one_step(view)?;
+    two_pass_among(view, &one_step(view)?)
+}
+
+/// [`two_pass`] where the one-step crust is known.
+///
+/// # Errors
+/// As there, or [`crate::Error::BadLength`].
+pub fn two_pass_among(view: DiagramView<'_>, one_step: &[bool]) -> Result<Vec<bool>> {
+    check(view, one_step)?;
     let cells = Cells::of(view);
-    Ok(decide(&cells, one_step.len(), |k| if one_step[k] { Some(Edge::crust(&cells, k)) } else { None }))
+    Ok(decide(&cells, one_step.len(), |k| if one_step[k] { Edge::crust(&cells, k) } else { None }))
+}
+
+/// The axis of [`edge_filter`] where the one-step crust is known.
+///
+/// # Errors
+/// As there, or [`crate::Error::BadLength`].
+pub fn filtered_among(view: DiagramView<'_>, one_step: &[bool]) -> Result<Vec<bool>> {
+    check(view, one_step)?;
+    let cells = Cells::of(view);
+    Ok(decide(&cells, one_step.len(), |k| if one_step[k] { None } else { Edge::axis(&cells, k) }))
+}
+
+fn check(view: DiagramView<'_>, one_step: &[bool]) -> Result<()> {
+    let (found, wanted) = (one_step.len(), view.edges.len());
+    if found != wanted {
+        return Err(Error::BadLength { array: "one_step", found, wanted });
+    }
+    view.check_triangle()
 }
 
 /// Two-pass crust and edge-filtered axis at once.
@@ -68,11 +94,19 @@ pub fn two_pass(view: DiagramView<'_>) -> Result<Vec<bool>> {
 /// # Source
 /// Thesis, section 5.2.
 pub fn edge_filter(view: DiagramView<'_>) -> Result<Local> {
-    let one_step = one_step(view)?;
+    edge_filter_among(view, &one_step(view)?)
+}
+
+/// [`edge_filter`] where the one-step crust is known.
+///
+/// # Errors
+/// As there, or [`crate::Error::BadLength`].
+pub fn edge_filter_among(view: DiagramView<'_>, one_step: &[bool]) -> Result<Local> {
+    check(view, one_step)?;
     let cells = Cells::of(view);
-    let edge = |k: usize| if one_step[k] { Some(Edge::crust(&cells, k)) } else { Edge::axis(&cells, k) };
+    let edge = |k: usize| if one_step[k] { Edge::crust(&cells, k) } else { Edge::axis(&cells, k) };
     let kept = decide(&cells, one_step.len(), edge);
-    let (crust, axis) = kept.iter().zip(&one_step).map(|(&kept, &one)| (kept & one, kept & !one)).unzip();
+    let (crust, axis) = kept.iter().zip(one_step).map(|(&kept, &one)| (kept & one, kept & !one)).unzip();
     Ok(Local { crust, axis })
 }
 
@@ -86,10 +120,14 @@ struct Edge {
 }
 
 impl Edge {
-    fn crust(cells: &Cells<'_>, k: usize) -> Self {
+    /// None for an edge without triangles.
+    fn crust(cells: &Cells<'_>, k: usize) -> Option<Self> {
         let dual = cells.view.dual_edges[k];
+        if dual == [-1; 2] {
+            return None;
+        }
         let across = dual.map(|t| cells.vertices[if t == -1 { dual[0].max(dual[1]) } else { t } as usize]);
-        Self { k, ends: cells.view.edges[k].map(|site| cells.sites[site as usize]), across, is_crust: true }
+        Some(Self { k, ends: cells.view.edges[k].map(|site| cells.sites[site as usize]), across, is_crust: true })
     }
 
     /// None without two different ends.

@@ -26,7 +26,7 @@ mod tree;
 pub use branches::{Measure, branches};
 pub use curve::curve;
 pub use gabriel::gabriel;
-pub use local::{Local, edge_filter, two_pass};
+pub use local::{Local, edge_filter, edge_filter_among, filtered_among, two_pass, two_pass_among};
 pub use longest::longest;
 pub use nearest::nearest;
 pub use one_step::one_step;
