@@ -155,9 +155,14 @@ def _conforming(rings: list[Ring]) -> tuple[Diagram, NDArray[np.bool_]]:
         ends = np.concatenate([np.roll(np.arange(a, b), -1) for a, b in pairwise(starts)])
         sides = _keys(np.column_stack([found.site_of, found.site_of[ends]]))
         edges = _keys(found.edges)
+        sorted_sides = np.sort(sides)
+        # Several times faster than asking NumPy twice what is in what.
+        boundary = sorted_sides[np.searchsorted(sorted_sides[:-1], edges)] == edges
+        if np.count_nonzero(boundary) == len(sides):
+            return found, boundary
         missing = ~np.isin(sides, edges)
         if not missing.any():
-            return found, np.isin(edges, sides)
+            return found, boundary
         pieces = np.split(missing, starts[1:-1])
         rings = [_halved(ring, part) for ring, part in zip(rings, pieces, strict=True)]
     raise CrazingError("the boundary of the polygon crosses itself or comes too near to itself; a valid one is wanted")

@@ -486,9 +486,7 @@ def _fed_back(diagram: Diagram, within: NDArray[np.float64]) -> NDArray[np.float
 
 
 def _crust_mask(diagram: Diagram, method: str) -> Mask:
-    """The crust of a diagram, found once: other methods begin with the one-step crust, and two axes end with the
-    two-pass one. A byte an edge.
-    """
+    """The crust of a diagram, found once, in a byte an edge: other methods begin or end with it."""
     known: dict[str, Mask] = vars(diagram).setdefault("_crust_masks", {})
     if method not in known:
         arrays = diagram.arrays

@@ -1,5 +1,10 @@
 """Real outlines through every method: axes inside and outside, exact reconstructions, and how the skeletons compare.
 
+The axes of a picture are also held to what scikit-image finds on its pixels: the thinned mask (`skeletonize`) and the
+ridges of its distance transform (`medial_axis`). Neither is the truth, which for a mask of pixels there is none of; a
+skeleton of pixels is off by up to a pixel, and keeps or drops hairs by rules of its own. So both directions are given:
+how much of theirs is within a pixel and a half of ours, how much of ours within that of theirs, and the farthest off.
+
 Give a folder with pictures (`*_mask.png`, `*_labels.png`: one integer a cell) and outlines (`*.npz`: `xy...` and
 `offsets...`, consecutive rows of a ring being its true edges). Without one, scikit-image's horse and blobs and our own
 leaf are taken.
@@ -13,12 +18,16 @@ from axes_grid import AXIS, CURVE
 from leaf import outline
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 from skimage import data
+from skimage.morphology import medial_axis, skeletonize
 
 import crazing as cz
 from crazing.images import read_image
 
 METHODS = ("initial", "poles", "edge-filter", "one-step")
+#: Pixels that two skeletons of one mask may be apart: half of one for the outline and one for thinning.
+NEAR = 1.5
 CRUSTS = ("two-pass", "one-step", "nn", "curve")
 
 
@@ -69,18 +78,45 @@ def sides(s: cz.Skeleton) -> tuple[cz.PlanarGraph, cz.PlanarGraph]:
     return cz.PlanarGraph(s.axis.vertices, s.axis.edges[within]), cz.PlanarGraph(s.axis.vertices, s.axis.edges[~within])
 
 
+def pixels(skeleton: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """The middles of the marked pixels, y up."""
+    rows, columns = np.nonzero(skeleton)
+    return np.column_stack([columns + 0.5, len(skeleton) - rows - 0.5])
+
+
+def spread(graph: cz.PlanarGraph, step: float = 0.25) -> NDArray[np.float64]:
+    """Points along the edges, evenly: long edges have as many more as they are longer."""
+    parts = np.maximum(np.ceil(graph.lengths / step).astype(int), 1)
+    edge = np.repeat(np.arange(len(parts)), parts)
+    share = (np.arange(len(edge)) - np.repeat(np.cumsum(parts) - parts, parts) + 0.5) / parts[edge]
+    a, b = graph.segments[edge, 0], graph.segments[edge, 1]
+    return np.asarray(a + share[:, None] * (b - a))
+
+
+def beside(inner: cz.PlanarGraph, theirs: NDArray[np.float64]) -> str:
+    """Shares within a pixel and a half of the other, theirs and ours, and the farthest off."""
+    if not len(inner.edges):
+        return "none"
+    there, here = inner.distances(theirs), cKDTree(theirs).query(spread(inner))[0]
+    return f"{(there <= NEAR).mean():4.0%} {(here <= NEAR).mean():4.0%} {max(there.max(), here.max()):6.1f}"
+
+
 def draw(masks: dict[str, NDArray[np.bool_]], n: int) -> Figure:
     figure = Figure(figsize=(3.4 * (len(METHODS) + 1), 3.7 * len(masks)), layout="constrained")
     grid = figure.subplots(len(masks), len(METHODS) + 1, squeeze=False)
-    print(f"{'picture':28} {'method':18} {'in: edges, pieces, ends':>28} {'out: edges, pieces':>20}")
+    head = f"{'picture':28} {'method':18} {'in: edges, pieces, ends':>24} {'out: edges, pieces':>20}"
+    print(head + f" {'thinned: theirs ours off':>26} {'ridges: theirs ours off':>26}")
     for row, (name, mask) in zip(grid, masks.items(), strict=True):
-        d = cz.diagram(cz.sample.from_image(np.pad(mask, 2), n=n))
+        padded = np.pad(mask, 2)
+        d = cz.diagram(cz.sample.from_image(padded, n=n))
+        theirs = [pixels(skeletonize(padded)), pixels(medial_axis(padded, rng=0))]
         found = [(method, cz.medial_axis(d, method=method)) for method in METHODS]
         found.append(("one-step, pruned", found[-1][1].prune()))
         for ax, (method, s) in zip(row, found, strict=True):
             inner, outer = sides(s)
             counts = f"{len(inner.edges)}, {inner.components}, {inner.leaves}"
-            print(f"{name:28} {method:18} {counts:>28} {f'{len(outer.edges)}, {outer.components}':>20}")
+            near = " ".join(f"{beside(inner, points):>26}" for points in theirs)
+            print(f"{name:28} {method:18} {counts:>24} {f'{len(outer.edges)}, {outer.components}':>20} {near}")
             outer.plot(ax, color="#c8c8c8", linewidth=0.5)
             inner.plot(ax, color=AXIS, linewidth=0.6)
             s.crust.plot(ax, color=CURVE, linewidth=0.5)
