@@ -19,6 +19,7 @@ COMMANDS = (
     "measure",
     "presets",
     "rerun",
+    "skeleton",
     "texture",
 )
 
