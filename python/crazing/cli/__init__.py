@@ -13,6 +13,7 @@ from crazing.cli.failures import Program
 #: A command `name` is `crazing.cli.name.command`.
 COMMANDS = (
     "compare",
+    "dataset",
     "edit",
     "fit",
     "maze",
