@@ -6,9 +6,9 @@ import dataclasses
 
 import numpy as np
 import pytest
-from test_steps import PLACES, crossings, topology
 
 import crazing as cz
+from test_steps import PLACES, crossings, topology
 
 MANY = {"stubs": 2.0, "stub_length": 0.2, "stub_spread": 0.5}
 HARD = {"roughness": 0.6, "hurst": 0.4, "grain": 0.05, "warp": 0.5}
