@@ -97,6 +97,14 @@ def crack_widths(
 def crack_roughen(
     net: _Net, partner: _Ints, fence: _Fence, amplitude: float, hurst: float, unit: float, grain: float, key: _Key
 ) -> tuple[_Net, _Ints, _Ints]: ...
+def crack_stubs(
+    net: _Net,
+    partner: _Ints,
+    fence: _Fence,
+    bounds: _Bounds,
+    how: tuple[float, float, float, float],
+    key: _Key,
+) -> tuple[_Net, _Fence, _Ints, _Ints]: ...
 def crack_warp(net: _Net, fence: _Fence, amplitude: float, bounds: _Bounds, key: _Key) -> _Floats: ...
 def crack_split(
     bounds: _Bounds,
