@@ -52,7 +52,7 @@ mod _core {
     };
     #[pymodule_export]
     use crate::skeleton::{
-        axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
+        axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, peeled, poles, poles_axis, sides,
         without_bumps,
     };
     #[pymodule_export]

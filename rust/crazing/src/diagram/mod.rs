@@ -4,6 +4,7 @@ mod build;
 mod constrained;
 mod delaunay;
 mod depths;
+mod missing;
 mod order;
 mod periodic;
 pub mod scale;

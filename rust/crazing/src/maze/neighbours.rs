@@ -26,11 +26,15 @@ impl Neighbours {
                 *rank = cell_of.len() as u32;
                 cell_of.push(cell);
             }
-            *rank as usize
+            *rank
         };
         let mut starts = vec![0_u32; cells + 2];
-        for cell in doors().flat_map(|k| sides[k]) {
-            starts[rank(cell) + 2] += 1;
+        // Kept, since cells in the user's order are all over the memory: looking their ranks up is most of the work.
+        let mut ranks = Vec::with_capacity(sides.len());
+        for k in doors() {
+            let ends = sides[k].map(&mut rank);
+            ends.iter().for_each(|&rank| starts[rank as usize + 2] += 1);
+            ranks.push(ends);
         }
         // Cells without a door come last.
         (0..cells as i32).for_each(|cell| _ = rank(cell));
@@ -38,8 +42,7 @@ impl Neighbours {
             starts[i] += starts[i - 1];
         }
         let mut entries = vec![[0; 2]; starts[cells + 1] as usize];
-        for k in doors() {
-            let [a, b] = sides[k].map(|cell| rank_of[cell as usize]);
+        for (k, [a, b]) in doors().zip(ranks) {
             for (from, to) in [(a, b), (b, a)] {
                 // Counted two places on, filled one place on: what is left at the end are the starts.
                 let place = &mut starts[from as usize + 1];
