@@ -26,6 +26,8 @@ import crazing as cz
 from crazing.images import read_image
 
 METHODS = ("initial", "poles", "edge-filter", "one-step")
+#: Pixels between two samples: any finer they show the stairs of the pixels.
+SPACING = 1.5
 #: Pixels that two skeletons of one mask may be apart: half of one for the outline and one for thinning.
 NEAR = 1.5
 CRUSTS = ("two-pass", "one-step", "nn", "curve")
@@ -101,14 +103,15 @@ def beside(inner: cz.PlanarGraph, theirs: NDArray[np.float64]) -> str:
     return f"{(there <= NEAR).mean():4.0%} {(here <= NEAR).mean():4.0%} {max(there.max(), here.max()):6.1f}"
 
 
-def draw(masks: dict[str, NDArray[np.bool_]], n: int) -> Figure:
+def draw(masks: dict[str, NDArray[np.bool_]], n: int | None) -> Figure:
     figure = Figure(figsize=(3.4 * (len(METHODS) + 1), 3.7 * len(masks)), layout="constrained")
     grid = figure.subplots(len(masks), len(METHODS) + 1, squeeze=False)
     head = f"{'picture':28} {'method':18} {'in: edges, pieces, ends':>24} {'out: edges, pieces':>20}"
     print(head + f" {'thinned: theirs ours off':>26} {'ridges: theirs ours off':>26}")
     for row, (name, mask) in zip(grid, masks.items(), strict=True):
         padded = np.pad(mask, 2)
-        d = cz.diagram(cz.sample.from_image(padded, n=n))
+        points = cz.sample.from_image(padded, spacing=SPACING) if n is None else cz.sample.from_image(padded, n=n)
+        d = cz.diagram(points)
         theirs = [pixels(skeletonize(padded)), pixels(medial_axis(padded, rng=0))]
         found = [(method, cz.medial_axis(d, method=method)) for method in METHODS]
         found.append(("one-step, pruned", found[-1][1].prune()))
@@ -133,9 +136,8 @@ def main() -> None:
     parser.add_argument("-o", "--output", type=Path, default=Path(), metavar="FOLDER", help="where the PNG is written")
     given = parser.parse_args()
     given.output.mkdir(parents=True, exist_ok=True)
-    n = 300 if given.small else 2000
     masks = pictures(given.folder)
-    draw(masks, n).savefig(given.output / "real_data.png", dpi=60 if given.small else 130)
+    draw(masks, 300 if given.small else None).savefig(given.output / "real_data.png", dpi=60 if given.small else 130)
     print(f"\n{'outlines':28} {'rings':>6} " + " ".join(f"{method:>9}" for method in CRUSTS))
     for name, rings in ring_sets(given.folder).items():
         whole = [ring for ring in rings if len(np.unique(ring, axis=0)) > 3]

@@ -41,9 +41,15 @@ use crate::diagram::{DiagramView, shared};
 /// lowest triangle.
 pub fn axis_edges(view: DiagramView<'_>, mask: &[bool]) -> Vec<[i32; 2]> {
     let kept = view.dual_edges.iter().zip(mask).filter(|(dual, kept)| **kept && !dual.contains(&-1));
-    let kept = kept.map(|(dual, _)| *dual);
-    match shared(view) {
-        None => kept.collect(),
-        Some(lowest) => kept.map(|dual| dual.map(|t| lowest[t as usize])).filter(|[a, b]| a != b).collect(),
+    let lowest = shared(view);
+    // How many there will be is not seen from outside, and growing a table is dearer than counting.
+    let mut edges = Vec::with_capacity(mask.iter().filter(|kept| **kept).count());
+    match lowest {
+        None => edges.extend(kept.map(|(dual, _)| *dual)),
+        Some(lowest) => {
+            let ends = kept.map(|(dual, _)| [lowest[dual[0] as usize], lowest[dual[1] as usize]]);
+            edges.extend(ends.filter(|[a, b]| a != b));
+        }
     }
+    edges
 }
