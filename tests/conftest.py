@@ -42,3 +42,14 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
         terminalreporter.section("cargo test")
         for line in lines:
             terminalreporter.write_line(line)
+
+
+@pytest.fixture
+def blob(tmp_path: Path) -> Path:
+    """A picture of two discs that overlap."""
+    image = pytest.importorskip("PIL.Image")
+    y, x = np.mgrid[:80, :100]
+    inside = (x - 35) ** 2 + (y - 40) ** 2 < 25**2
+    inside |= (x - 65) ** 2 + (y - 40) ** 2 < 20**2
+    image.fromarray(inside).save(tmp_path / "blob.png")
+    return tmp_path / "blob.png"

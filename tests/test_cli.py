@@ -13,38 +13,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
 
 import crazing as cz
-from crazing.cli import main
+from command_line import refused, run
 
 Image = pytest.importorskip("PIL.Image")
 
 COMMAND = [sys.executable, "-m", "crazing"]
-
-
-def run(*words: object) -> Result:
-    return CliRunner().invoke(main, [str(word) for word in words])
-
-
-@pytest.fixture
-def blob(tmp_path: Path) -> Path:
-    """A picture of two discs that overlap."""
-    y, x = np.mgrid[:80, :100]
-    inside = (x - 35) ** 2 + (y - 40) ** 2 < 25**2
-    inside |= (x - 65) ** 2 + (y - 40) ** 2 < 20**2
-    Image.fromarray(inside).save(tmp_path / "blob.png")
-    return tmp_path / "blob.png"
-
-
-def refused(result: Result, *words: str) -> None:
-    """One line, code 2, no trace."""
-    assert result.exit_code == 2, result.output
-    assert result.stdout == ""
-    assert result.stderr.startswith("Error: ")
-    assert result.stderr.count("\n") == 1
-    for word in words:
-        assert word in result.stderr
 
 
 def test_texture_writes_a_picture_that_knows_how_it_was_made(tmp_path: Path) -> None:

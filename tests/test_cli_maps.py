@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import Result
 
 import crazing as cz
-from crazing.cli import main
+from command_line import run
 from crazing.pictures.reading import record_of
 from test_streaming import read
 
@@ -25,10 +25,6 @@ opening = 0.3
 grain = 0.1
 crack = "#102030"
 """
-
-
-def run(*words: object) -> Result:
-    return CliRunner().invoke(main, [str(word) for word in words])
 
 
 def done(*words: object) -> Result:

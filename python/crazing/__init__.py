@@ -5,6 +5,7 @@ from crazing._core import __version__
 from crazing.centerline import centerline
 from crazing.compare import Comparison, compare
 from crazing.crack import Crack
+from crazing.dataset import Dataset, LabelledImage, dataset
 from crazing.diagram import Diagram, diagram
 from crazing.edit import edit
 from crazing.errors import CrazingError, DegenerateInputError, InternalError
@@ -34,9 +35,11 @@ __all__ = [
     "Crack",
     "CrackStatistics",
     "CrazingError",
+    "Dataset",
     "DegenerateInputError",
     "Diagram",
     "InternalError",
+    "LabelledImage",
     "Material",
     "Maze",
     "MazeStatistics",
@@ -57,6 +60,7 @@ __all__ = [
     "crack",
     "crust",
     "curve",
+    "dataset",
     "diagram",
     "edit",
     "fit",

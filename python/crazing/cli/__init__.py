@@ -13,12 +13,14 @@ from crazing.cli.failures import Program
 #: A command `name` is `crazing.cli.name.command`.
 COMMANDS = (
     "compare",
+    "dataset",
     "edit",
     "fit",
     "maze",
     "measure",
     "presets",
     "rerun",
+    "skeleton",
     "texture",
 )
 

@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator
 
 
 @contextlib.contextmanager
-def rows() -> Iterator[Callable[[int, int], None]]:
-    """Gives a function that takes the rows that are done and all rows; silent unless standard error is a terminal."""
+def rows(what: str = "rows") -> Iterator[Callable[[int, int], None]]:
+    """Gives a function that takes the number done and of all; silent unless standard error is a terminal."""
     if not sys.stderr.isatty():
         yield lambda done, total: None
         return
@@ -17,7 +17,7 @@ def rows() -> Iterator[Callable[[int, int], None]]:
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
     columns = (
-        TextColumn("{task.completed} of {task.total} rows"),
+        TextColumn(f"{{task.completed}} of {{task.total}} {what}"),
         BarColumn(),
         TimeElapsedColumn(),
         TimeRemainingColumn(),

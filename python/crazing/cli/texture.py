@@ -26,7 +26,7 @@ FRAMED = 0.9
 MAPPED = ("preset", "recipe", "seamless", "maps", "format", "layout", "name", "metres", "frames")
 
 
-def _size(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[int, int]:
+def pixels(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[int, int]:
     """(width, height) in pixels, written as image tools do: `4096`, or `4096x2048`, width first."""
     match = re.fullmatch(r"([1-9][0-9]{0,8})(?:x([1-9][0-9]{0,8}))?", value)
     if match is None:
@@ -41,7 +41,7 @@ def _size(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[i
 )
 @click.option(
     "--size",
-    callback=_size,
+    callback=pixels,
     default="1024",
     metavar="PIXELS",
     show_default=True,

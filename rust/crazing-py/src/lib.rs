@@ -25,8 +25,8 @@ mod _core {
 
     #[pymodule_export]
     use crate::crack::{
-        crack_arrivals, crack_impact, crack_pairs, crack_roughen, crack_split, crack_straighten, crack_trim,
-        crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
+        crack_arrivals, crack_impact, crack_pairs, crack_roughen, crack_split, crack_straighten, crack_stubs,
+        crack_trim, crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
     };
     #[pymodule_export]
     use crate::diagram::{
@@ -52,7 +52,7 @@ mod _core {
     };
     #[pymodule_export]
     use crate::skeleton::{
-        axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
+        axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, peeled, poles, poles_axis, sides,
         without_bumps,
     };
     #[pymodule_export]

@@ -32,8 +32,10 @@ pub mod stream {
     pub const SPLIT: u64 = 10;
     /// Spokes and arcs about an impact.
     pub const IMPACT: u64 = 11;
+    /// Short free branches of cracks.
+    pub const STUBS: u64 = 12;
     /// In which order constraints that cross many edges are inserted.
-    pub const CONSTRAINT: u64 = 12;
+    pub const CONSTRAINT: u64 = 20;
     /// Noise over the pixels of a texture.
     pub const GRAIN: u64 = 40;
     /// How the plates of a texture differ.
