@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections import Counter
 from itertools import combinations
 
@@ -95,6 +96,24 @@ def test_ten_thousand_constraints_in_a_comb_and_a_fan() -> None:
     assert int(cz.diagram(wheel, constraints=spokes).constrained.sum()) == 10_000
     with pytest.raises(cz.CrazingError, match=r"constraint \(\d+, \d+\) crosses or overlaps constraint \(0, 19999\)"):
         cz.diagram(teeth, constraints=np.concatenate([among, [[0, 19_999]]]))
+
+
+def test_a_fan_across_a_ladder_is_inserted_in_far_less_than_its_square() -> None:
+    n = 4000
+    along = np.arange(n, dtype=float)
+    rails = [np.column_stack([along, np.full(n, side)]) for side in (1.0, -1.0)]
+    ends = np.column_stack([np.full(n, n + 1.0), np.linspace(-0.5, 0.5, n)])
+    points = np.vstack([*rails, (-1.0, 0.0), ends])
+    fan = np.column_stack([np.full(n, 2 * n), 2 * n + 1 + np.arange(n)])
+
+    def cost(constraints) -> float:
+        start = time.process_time()
+        d = cz.diagram(points, constraints=constraints)
+        assert set(map(tuple, np.sort(constraints, axis=1))) <= set(map(tuple, np.sort(d.edges[d.constrained], axis=1)))
+        return time.process_time() - start
+
+    # In the order of the fan it took some hundred times what a tenth of it did.
+    assert cost(fan) < 60 * max(cost(fan[::10]), 0.02)
 
 
 def test_chains_of_rows_are_constraints_and_rings_close() -> None:

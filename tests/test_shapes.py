@@ -180,3 +180,44 @@ def test_quad_edges_of_tiny_tori(sites: list, period: tuple) -> None:
     for first, second in zip(even.tolist(), after.tolist(), strict=True):
         a, b = of[first], of[second]
         assert a[0] * b[1] - a[1] * b[0] > 0
+
+
+def doors_of(sites: np.ndarray, rings: Rings) -> list[tuple[float, ...]]:
+    """The middle and the length of every door, without the tiniest."""
+    m = cz.maze(sites, within=rings, opening=0, rng=1)
+    # All doors are shut, and the outline, which comes last, has no gap.
+    doors = m.walls.segments[: -len(m.region.coords)]
+    lengths = np.linalg.norm(doors[:, 1] - doors[:, 0], axis=1)
+    rows = np.column_stack([doors.mean(axis=1), lengths])[lengths > 1e-4]
+    # A grid on which no corner of these shapes lies half way.
+    return sorted(map(tuple, ((rows * 9973.1).round() + 0.0).tolist()))
+
+
+FRAME = np.array([(-0.5, -0.5), (3.5, -0.5), (3.5, 3.5), (-0.5, 3.5)])
+DIAMOND = np.array([(0.5, 0.0), (0.0, 0.5), (-0.5, 0.0), (0.0, -0.5)])
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    holes=st.sets(st.tuples(st.integers(0, 3), st.integers(0, 3)), max_size=6),
+    corners=st.lists(st.tuples(st.integers(-2, 8), st.integers(-2, 8)), min_size=3, max_size=5, unique=True),
+)
+def test_corners_on_walls_are_as_if_the_points_were_moved_right_and_up_by_next_to_nothing(holes, corners) -> None:
+    sites = np.array([(x, y) for x in range(4) for y in range(4)], dtype=float)
+    # Diamonds touch all four walls of a cell; another shape has corners on walls and their ends.
+    hull = shapely.MultiPoint(np.array(corners) / 2).convex_hull
+    shapes = [[2 * FRAME - 1.5, *(DIAMOND + hole for hole in sorted(holes))]]
+    if hull.geom_type == "Polygon":
+        shapes.append([np.array(hull.exterior.coords)[:-1]])
+    for rings in shapes:
+        assert doors_of(sites, rings) == doors_of(sites + np.array([2.0**-24, 2.0**-45]), rings)
+
+
+def test_a_corner_that_touches_a_wall_parts_the_door_on_one_side_only() -> None:
+    sites = np.array([(x, y) for x in range(2) for y in range(2)], dtype=float)
+    frame = np.array([(-0.5, -0.5), (1.5, -0.5), (1.5, 1.5), (-0.5, 1.5)])
+    for at, lengths in (((1.0, 0.0), [0.5, 0.5]), ((0.0, 0.0), [1.0])):
+        # From the right the wall, moved right, is met; from the left it is free.
+        doors = np.array(doors_of(sites, [frame, DIAMOND + at])) / 9973.1
+        lower = np.isclose(doors[:, 0], 0.5, atol=1e-3) & (doors[:, 1] < 0.5)
+        np.testing.assert_allclose(doors[lower, 2], lengths, atol=1e-3)

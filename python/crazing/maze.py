@@ -261,6 +261,9 @@ def maze(
         that a ring in a ring is a hole), a polygon of shapely or another object with `__geo_interface__`, GeoJSON, or
         a picture (a mask of bools, or an image whose border is outside; in pixels, y up). Voronoi walls are clipped to
         it, and what has a length inside is a door; each part of a cell that the outline cuts is a cell of its own.
+        Where a corner of the shape lies exactly on a wall, walls count as moved right by next to nothing, and up by
+        nothing beside that: one that the corner touches from the right is met there, and two doors; from the left it
+        is free, and one.
         Triangles are those of the points and the corners of the shape, its sides being constraints (cut into pieces
         about as long as the edges inside, by sites that come after the points). Sides may touch, not cross or overlap.
     rng : int, numpy.random.Generator or None, optional

@@ -34,6 +34,8 @@ pub mod stream {
     pub const IMPACT: u64 = 11;
     /// Short free branches of cracks.
     pub const STUBS: u64 = 12;
+    /// In which order constraints that cross many edges are inserted.
+    pub const CONSTRAINT: u64 = 20;
     /// Noise over the pixels of a texture.
     pub const GRAIN: u64 = 40;
     /// How the plates of a texture differ.

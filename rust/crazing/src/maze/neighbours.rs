@@ -17,21 +17,21 @@ pub(super) struct Neighbours {
 
 impl Neighbours {
     pub(super) fn of(cells: usize, sides: &[[i32; 2]], door: &[bool]) -> Self {
-        let doors = || (0..sides.len()).filter(|&k| door[k] && !sides[k].contains(&-1));
+        let rows = rows(sides, door);
         let mut cell_of = Vec::with_capacity(cells);
         let mut rank_of = vec![u32::MAX; cells];
         let mut starts = vec![0_u32; cells + 2];
         // Kept, since cells in the user's order are all over the memory: looking their ranks up is most of the work.
-        let mut ranks = Vec::with_capacity(sides.len());
-        for (first, block) in sides.chunks(BLOCK).enumerate().map(|(i, block)| (i * BLOCK, block)) {
+        let mut ranks = Vec::with_capacity(rows.len());
+        for block in rows.chunks(BLOCK) {
             // Many at once, so that memory is waited for once.
             let mut seen = [[u32::MAX; 2]; BLOCK];
-            for (seen, ends) in seen.iter_mut().zip(block) {
-                *seen = ends.map(|cell| rank_of.get(cell as usize).copied().unwrap_or(u32::MAX));
+            for (seen, &k) in seen.iter_mut().zip(block) {
+                *seen = sides[k as usize].map(|cell| rank_of[cell as usize]);
             }
-            for (i, ends) in block.iter().enumerate().filter(|&(i, ends)| door[first + i] && !ends.contains(&-1)) {
-                let ends = [0, 1].map(|side| match seen[i][side] {
-                    u32::MAX => ranked(ends[side], &mut rank_of, &mut cell_of),
+            for (seen, &k) in seen.iter().zip(block) {
+                let ends = [0, 1].map(|side| match seen[side] {
+                    u32::MAX => ranked(sides[k as usize][side], &mut rank_of, &mut cell_of),
                     rank => rank,
                 });
                 ends.iter().for_each(|&rank| starts[rank as usize + 2] += 1);
@@ -44,11 +44,11 @@ impl Neighbours {
             starts[i] += starts[i - 1];
         }
         let mut entries = vec![[0; 2]; starts[cells + 1] as usize];
-        for (k, [a, b]) in doors().zip(ranks) {
+        for (k, [a, b]) in rows.into_iter().zip(ranks) {
             for (from, to) in [(a, b), (b, a)] {
                 // Counted two places on, filled one place on: what is left at the end are the starts.
                 let place = &mut starts[from as usize + 1];
-                entries[*place as usize] = [to, k as u32];
+                entries[*place as usize] = [to, k];
                 *place += 1;
             }
         }
@@ -67,6 +67,18 @@ impl Neighbours {
 
 /// Rows that are looked up together.
 const BLOCK: usize = 32;
+
+/// The rows that are doors. Without a branch, which for the open doors of a maze nothing could foretell.
+fn rows(sides: &[[i32; 2]], door: &[bool]) -> Vec<u32> {
+    let mut rows = vec![0; sides.len()];
+    let mut count = 0;
+    for (k, (&[a, b], &door)) in sides.iter().zip(door).enumerate() {
+        rows[count] = k as u32;
+        count += usize::from(door & (a >= 0) & (b >= 0));
+    }
+    rows.truncate(count);
+    rows
+}
 
 /// The rank of a cell, the next one if it has none.
 fn ranked(cell: i32, rank_of: &mut [u32], cell_of: &mut Vec<i32>) -> u32 {
