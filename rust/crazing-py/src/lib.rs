@@ -32,7 +32,7 @@ mod _core {
     };
     #[pymodule_export]
     use crate::diagram::{
-        constrained_diagram, depths, diagram, dual_edges, onext, periodic_diagram, representatives, tile,
+        constrained_diagram, depths, diagram, dual_edges, mosaic, onext, periodic_diagram, representatives, tile,
     };
     #[pymodule_export]
     use crate::graph::{graph_compact, graph_components, graph_degrees, graph_distances, graph_polylines};
