@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from crazing import _core, arguments
 from crazing.crack import Crack
-from crazing.drawing import Bounds, Drawing, Fence, Net, draw, fenced, paired
+from crazing.drawing import Bounds, Drawing, Fence, Net, draw, paired
 from crazing.graph import PlanarGraph
 from crazing.maze import Maze
 from crazing.rng import RNG, key
@@ -18,7 +18,6 @@ from crazing.rng import RNG, key
 __all__ = [
     "Drawing",
     "draw",
-    "fenced",
     "follow",
     "impact",
     "part",
