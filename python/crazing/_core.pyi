@@ -101,6 +101,7 @@ def crack_widths(
 def crack_roughen(
     net: _Net, partner: _Ints, fence: _Fence, amplitude: float, hurst: float, unit: float, grain: float, key: _Key
 ) -> tuple[_Net, _Ints, _Ints]: ...
+def crack_parted(net: _Net, partner: _Ints, sharpest: float, reach: float) -> _Mask: ...
 def crack_stubs(
     net: _Net,
     partner: _Ints,

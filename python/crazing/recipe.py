@@ -39,6 +39,7 @@ _RANGES: dict[str, tuple[float, float]] = {
     "slide": (0, 1),
     "clamp": (0, 0.5),
     "turn": (0, 180),
+    "hairpin": (0, 180),
     "jitter": (0, 4),
     "bend": (0, 1),
     "speed": (1, 10_000),
@@ -60,6 +61,8 @@ _RANGES: dict[str, tuple[float, float]] = {
 }
 _WORDS = {"generator": GENERATORS, "sampler": SAMPLERS, "tree": TREES}
 
+#: Within so many spacings to both sides a crack that turns back is a hook.
+HOOK = 1.5
 #: Within this part of the smaller side of the bounds about the source cracks are widest.
 _REACH = 0.25
 
@@ -101,6 +104,8 @@ class Recipe:
         The part of the chord at both ends that sliding keeps out of.
     turn : float
         At a junction of a maze a crack goes on only where it turns by no more than so many degrees.
+    hairpin : float
+        A crack of a maze that turns back by more than so many degrees is parted there; 180 leaves all whole.
     jitter : float
         Splitting: standard deviation of the logarithm of the size by which the next plate is chosen.
     bend : float
@@ -170,6 +175,7 @@ class Recipe:
     slide: float = 0.18
     clamp: float = 0.2
     turn: float = 180.0
+    hairpin: float = 180.0
     jitter: float = 0.3
     bend: float = 1.0
     speed: float = 200.0
@@ -275,6 +281,8 @@ class Recipe:
         drawing, unit = site.maze(points, seed) if self.generator == "maze" else site.aged(seed)
         if self.rounds:
             drawing = steps.straighten(drawing, rounds=self.rounds, pull=self.pull, slide=self.slide, clamp=self.clamp)
+        if self.hairpin < 180 and self.generator == "maze":
+            drawing = steps.part(drawing, hairpin=self.hairpin, reach=HOOK * unit)
         if self.turn < 180 and self.generator == "maze":
             drawing = steps.follow(drawing, turn=self.turn)
         # Every step draws its key, wanted or not: turning one off leaves the others as they are.

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from crazing import sample, steps
 from crazing.arguments import bounds_tuple, number, real_array
 from crazing.diagram import Diagram, as_tiling
+from crazing.drawing import fenced
 from crazing.images import brightness
 from crazing.maze import maze
 
@@ -71,7 +72,7 @@ class Site:
             room = (x - wide / 2, y - high / 2, x + wide / 2, y + high / 2)
             if self.period is None:
                 room = (box[0] - wide, box[1] - high, box[2] + wide, box[3] + high)
-            drawing = replace(drawing, fence=steps.fenced(drawing.net, room))
+            drawing = replace(drawing, fence=fenced(drawing.net, room))
         else:
             drawing = steps.split(
                 r.n,

@@ -3,81 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import TypeAlias
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from crazing import _core, arguments
 from crazing.crack import Crack
-from crazing.diagram import diagram
+from crazing.drawing import Bounds, Drawing, Fence, Net, draw, paired
 from crazing.graph import PlanarGraph
 from crazing.maze import Maze
-from crazing.record import Record
 from crazing.rng import RNG, key
 
-__all__ = ["Drawing", "draw", "follow", "impact", "roughen", "split", "straighten", "stubs", "walls", "warp", "widen"]
+__all__ = [
+    "Drawing",
+    "draw",
+    "follow",
+    "impact",
+    "part",
+    "roughen",
+    "split",
+    "straighten",
+    "stubs",
+    "walls",
+    "warp",
+    "widen",
+]
 
 #: The shortest reach of a source, data units: widths fade by a power of the distance over it.
 NEAREST = 1e-300
-
-Bounds: TypeAlias = tuple[float, float, float, float]
-#: Vertices, edges, shifts, period, cut.
-Net: TypeAlias = tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int8], tuple[float, float], NDArray[np.bool_]]
-#: Anchors, kites and shifts.
-Fence: TypeAlias = tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int8]]
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Drawing(Record):
-    """Cracks on their way through the steps: edges, and what keeps them from crossing.
-
-    Attributes
-    ----------
-    vertices : (v, 2) float64
-        Positions; on a torus they may have left the period.
-    edges : (e, 2) int32
-        Rows of `vertices`.
-    shifts : (e, 2) int8
-        Periods that each edge crosses; no rows in the plane.
-    period : (width, height)
-        What is repeated; zeros in the plane.
-    cut : (v,) bool
-        Vertices on the bounds, where an edge was cut.
-    bounds : (xmin, ymin, xmax, ymax)
-        What the drawing is clipped to; on a torus one period.
-    fence : tuple of arrays
-        Anchors (a, 2) float64, points that stay; kites (k, 4) int32: `a`, `b` and the corners to the left and right of
-        the edge from `a` to `b`, rows of vertices and then anchors, -1 for none; their shifts (k, 6) int8. Kite `k` is
-        about edge `k`, more may follow. Vertices move only as long as the triangles of the kites keep their sense.
-    partner : (2 e,) int32
-        The end that each edge end continues into; end 2 k + i is end i of edge k; -1 for none.
-    age : (e,) int32
-        Of the crack of each edge, low is old; no rows where length decides.
-    """
-
-    vertices: NDArray[np.float64]
-    edges: NDArray[np.int32]
-    shifts: NDArray[np.int8]
-    period: tuple[float, float]
-    cut: NDArray[np.bool_]
-    bounds: Bounds
-    fence: Fence
-    partner: NDArray[np.int32]
-    age: NDArray[np.int32]
-
-    @property
-    def net(self) -> Net:
-        """Vertices, edges, shifts, period and cut, as the core takes them."""
-        return self.vertices, self.edges, self.shifts, self.period, self.cut
-
-    def __repr__(self) -> str:
-        return f"Drawing({len(self.edges)} edges, bounds {self.bounds})"
-
-
-def _paired(net: Net, fence: Fence, bounds: Bounds) -> Drawing:
-    return Drawing(*net, bounds, fence, _core.crack_pairs(net, np.pi), np.empty(0, dtype=np.int32))
 
 
 def walls(maze: Maze) -> Drawing:
@@ -105,7 +59,7 @@ def walls(maze: Maze) -> Drawing:
     >>> cz.steps.walls(m).bounds
     (0.0, 0.0, 1.0, 1.0)
     """
-    return _paired(*_walls(maze), maze.bounds)
+    return paired(*_walls(maze), maze.bounds)
 
 
 def _walls(maze: Maze) -> tuple[Net, Fence]:
@@ -130,83 +84,11 @@ def stretched(maze: Maze, matrix: NDArray[np.float64], centre: NDArray[np.float6
             turns = turns.reshape(-1, 6)
         # The bounds are the period as it was given; through the frame and back it would be off by roundings.
         period = bounds[2] - bounds[0], bounds[3] - bounds[1]
-        return _paired((back[0], edges, shifts, period, cut), (back[1], kites, turns), bounds)
+        return paired((back[0], edges, shifts, period, cut), (back[1], kites, turns), bounds)
     net, fence = (back[0], edges, shifts, period, cut), (back[1], kites, turns)
     nobody = np.full(2 * len(edges), -1, dtype=np.int32)
     net, fence, _, _ = _core.crack_trim(net, fence, nobody, [], bounds)
-    return _paired(net, fence, bounds)
-
-
-def draw(graph: PlanarGraph, *, bounds: Sequence[float] | None = None) -> Drawing:
-    """Any drawing of straight edges that do not cross, ready for the steps.
-
-    Parameters
-    ----------
-    graph : PlanarGraph
-        In the plane. Vertices at one place are merged, those without an edge left out.
-    bounds : (xmin, ymin, xmax, ymax), optional
-        Vertices on their sides stay there; the box around the edges, grown by a tenth, by default.
-
-    Returns
-    -------
-    Drawing
-        Its fence is the constrained Delaunay triangulation about the edges.
-
-    Raises
-    ------
-    CrazingError
-        If edges cross or overlap.
-    TypeError, ValueError
-        If the bounds are none.
-
-    Examples
-    --------
-    >>> import crazing as cz
-    >>> zigzag = cz.PlanarGraph([(0, 0), (1, 1), (2, 0), (3, 1)], [(0, 1), (1, 2), (2, 3)])
-    >>> straight = cz.steps.straighten(cz.steps.draw(zigzag), rounds=9)
-    >>> bool(abs(straight.vertices - zigzag.vertices).max() > 0.2)
-    True
-    """
-    small = graph.compact()
-    if bounds is None:
-        low, high = (np.min(small.vertices, axis=0), np.max(small.vertices, axis=0)) if len(small.edges) else (0, 1)
-        margin = 0.1 * (float(np.max(np.subtract(high, low))) or 1.0)
-        bounds = (*np.subtract(low, margin) * np.ones(2), *np.add(high, margin) * np.ones(2))
-    box = arguments.bounds_tuple(bounds)
-    places = diagram(small.vertices)
-    vertices, edges = places.sites, places.site_of[small.edges]
-    sides = np.reshape(box, (2, 2))
-    cut = (vertices == sides[0]).any(axis=1) | (vertices == sides[1]).any(axis=1)
-    net: Net = vertices, np.ascontiguousarray(edges), np.empty((0, 2), dtype=np.int8), (0.0, 0.0), cut
-    low, high = (
-        np.minimum(sides[0], vertices.min(axis=0, initial=np.inf)),
-        np.maximum(sides[1], vertices.max(axis=0, initial=-np.inf)),
-    )
-    return _paired(net, fenced(net, (*(1.5 * low - 0.5 * high), *(1.5 * high - 0.5 * low))), box)
-
-
-def fenced(net: Net, box: Sequence[float]) -> Fence:
-    """The triangles about edges that leave no period, in a box that holds them all."""
-    vertices, edges, shifts, _, _ = net
-    xmin, ymin, xmax, ymax = box
-    anchors = np.array([(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)])
-    d = diagram(np.concatenate([vertices, anchors]), constraints=edges)
-    # The corner of the triangle on either side of an edge that is no end of it.
-    ends, sides = d.edges.astype(np.int64), d.dual_edges
-    third = d.triangles.astype(np.int64)[sides].sum(axis=2) - ends.sum(axis=1)[:, None]
-    third[sides < 0] = -1
-    kites = np.column_stack([ends, third[:, ::-1]])
-    name = np.sort(ends, axis=1) @ (len(d.sites), 1)
-    order = np.argsort(name)
-    wanted = np.sort(edges.astype(np.int64), axis=1) @ (len(d.sites), 1)
-    rows = order[np.searchsorted(name[order], wanted)]
-    own = kites[rows]
-    turned = own[:, 0] != edges[:, 0]
-    own[turned] = own[turned][:, [1, 0, 3, 2]]
-    others = np.ones(len(kites), dtype=bool)
-    others[rows] = False
-    found = np.ascontiguousarray(np.concatenate([own, kites[others]]), dtype=np.int32)
-    return anchors, found, np.zeros((len(found) if len(shifts) else 0, 6), dtype=np.int8)
+    return paired(net, fence, bounds)
 
 
 def split(
@@ -378,6 +260,54 @@ def follow(drawing: Drawing, *, turn: float = 60.0) -> Drawing:
     sharpest = float(np.radians(arguments.number(turn, "turn", low=0, high=180)))
     partner = _core.crack_pairs(drawing.net, sharpest)
     return replace(drawing, partner=partner, age=np.empty(0, dtype=np.int32))
+
+
+def part(drawing: Drawing, *, hairpin: float, reach: float) -> Drawing:
+    """Part cracks where they turn back on themselves: two free tips instead of a hook.
+
+    Parameters
+    ----------
+    drawing : Drawing
+        Not yet rough.
+    hairpin : float
+        Degrees, 0 to 180: cracks that turn by more are parted.
+    reach : float
+        How far along the crack the turn is looked for, data units.
+
+    Returns
+    -------
+    Drawing
+        Without one edge at each such turn.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a number is out of range.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> hook = cz.PlanarGraph([(0, 0), (0, 4), (0.2, 5), (0.4, 4), (0.4, 0)], [(0, 1), (1, 2), (2, 3), (3, 4)])
+    >>> len(cz.steps.part(cz.steps.draw(hook), hairpin=120, reach=2).edges)
+    3
+    """
+    sharpest = float(np.radians(arguments.number(hairpin, "hairpin", low=0, high=180)))
+    stays = _core.crack_parted(drawing.net, drawing.partner, sharpest, arguments.number(reach, "reach", low=0))
+    rows = np.concatenate([np.flatnonzero(stays), np.flatnonzero(~stays), np.arange(len(stays), len(drawing.fence[1]))])
+    anchors, kites, turns = drawing.fence
+    shifts = drawing.shifts[stays] if len(drawing.shifts) else drawing.shifts
+    net: Net = drawing.vertices, drawing.edges[stays], shifts, drawing.period, drawing.cut
+    number = np.cumsum(stays) - 1
+    ends = drawing.partner.reshape(-1, 2)[stays].ravel()
+    gone = (ends < 0) | ~stays[ends // 2]
+    partner = np.where(gone, -1, 2 * number[ends // 2] + ends % 2).astype(np.int32)
+    return Drawing(
+        *net,
+        drawing.bounds,
+        (anchors, kites[rows], turns[rows] if len(turns) else turns),
+        partner,
+        drawing.age[stays] if len(drawing.age) else drawing.age,
+    )
 
 
 def straighten(

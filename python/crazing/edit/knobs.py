@@ -143,6 +143,7 @@ _FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
     "pull": ("Pull", (0, 1, 0.01), "Of a round, towards the chord"),
     "slide": ("Slide", (0, 1, 0.01), "Of a round, towards T junctions"),
     "clamp": ("Clamp", (0, 0.5, 0.01), "What sliding keeps out of"),
+    "hairpin": ("Hairpin", (90, 180, 1), "Cracks that turn back by more are parted"),
     "jitter": ("Jitter", (0, 2, 0.01), "How plates differ in size"),
     "bend": ("Bend", (0, 1, 0.01), "Of new cracks towards old ones"),
     "speed": ("Speed", (10, 600, 5), "Of what hits, km/h"),
@@ -166,7 +167,7 @@ _WORDS = {"generator": GENERATORS, "sampler": SAMPLERS, "tree": TREES}
 _FIRST = ("opening", "rounds", "roughness", "thickness", "hierarchy", "taper")
 _OWN = ("n", "sampler", "relax", "falloff")
 _ONLY = {
-    **dict.fromkeys(("tree", "opening", "relax", "sampler"), "generator:maze"),
+    **dict.fromkeys(("tree", "opening", "relax", "sampler", "hairpin"), "generator:maze"),
     **dict.fromkeys(("jitter", "bend"), "generator:splitting"),
     **dict.fromkeys(("speed", "arcs"), "generator:impact"),
 }

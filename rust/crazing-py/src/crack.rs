@@ -1,8 +1,10 @@
 //! The steps of a crack.
 
+pub(crate) mod branches;
+
 use crazing::Point;
 use crazing::crack::{
-    self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Roughness, Splitting, Straightening, Stubs,
+    self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Roughness, Splitting, Straightening,
 };
 use crazing::rng::Key;
 use crazing::sample::Density;
@@ -13,8 +15,8 @@ use crate::arrays::{column, rows, table};
 use crate::diagram::Arrays;
 use crate::guard::{checked, detached};
 
-type Table<'py, T> = Bound<'py, PyArray2<T>>;
-type Row<'py, T> = Bound<'py, PyArray1<T>>;
+pub(crate) type Table<'py, T> = Bound<'py, PyArray2<T>>;
+pub(crate) type Row<'py, T> = Bound<'py, PyArray1<T>>;
 
 /// A drawing as the face passes it: vertices, edges, shifts, period, cut.
 #[derive(FromPyObject)]
@@ -27,7 +29,7 @@ pub(crate) struct NetArrays<'py>(
 );
 
 impl NetArrays<'_> {
-    fn view(&self) -> PyResult<NetView<'_>> {
+    pub(crate) fn view(&self) -> PyResult<NetView<'_>> {
         let Self(vertices, edges, shifts, period, cut) = self;
         let cut = column(cut, "cut", vertices.shape()[0])?;
         let view =
@@ -42,22 +44,22 @@ impl NetArrays<'_> {
 pub(crate) struct FenceArrays<'py>(PyReadonlyArray2<'py, f64>, PyReadonlyArray2<'py, i32>, PyReadonlyArray2<'py, i8>);
 
 impl FenceArrays<'_> {
-    fn view(&self, net: NetView<'_>) -> PyResult<FenceView<'_>> {
+    pub(crate) fn view(&self, net: NetView<'_>) -> PyResult<FenceView<'_>> {
         let view = FenceView { anchors: rows(&self.0)?, kites: rows(&self.1)?, shifts: rows(&self.2)? };
         checked(view.check(net))?;
         Ok(view)
     }
 }
 
-type NetOut<'py> = (Table<'py, f64>, Table<'py, i32>, Table<'py, i8>, (f64, f64), Row<'py, bool>);
-type FenceOut<'py> = (Table<'py, f64>, Table<'py, i32>, Table<'py, i8>);
+pub(crate) type NetOut<'py> = (Table<'py, f64>, Table<'py, i32>, Table<'py, i8>, (f64, f64), Row<'py, bool>);
+pub(crate) type FenceOut<'py> = (Table<'py, f64>, Table<'py, i32>, Table<'py, i8>);
 
-fn net_out(py: Python<'_>, net: Net) -> PyResult<NetOut<'_>> {
+pub(crate) fn net_out(py: Python<'_>, net: Net) -> PyResult<NetOut<'_>> {
     let Net { vertices, edges, shifts, period, cut } = net;
     Ok((table(py, vertices)?, table(py, edges)?, table(py, shifts)?, period.into(), PyArray1::from_vec(py, cut)))
 }
 
-fn fence_out(py: Python<'_>, fence: Fence) -> PyResult<FenceOut<'_>> {
+pub(crate) fn fence_out(py: Python<'_>, fence: Fence) -> PyResult<FenceOut<'_>> {
     Ok((table(py, fence.anchors)?, table(py, fence.kites)?, table(py, fence.shifts)?))
 }
 
@@ -126,7 +128,7 @@ pub(crate) fn crack_wrap<'py>(py: Python<'py>, net: NetArrays<'py>) -> PyResult<
     net_out(py, wrapped)
 }
 
-type AgedOut<'py> = (NetOut<'py>, FenceOut<'py>, Row<'py, i32>, Row<'py, i32>);
+pub(crate) type AgedOut<'py> = (NetOut<'py>, FenceOut<'py>, Row<'py, i32>, Row<'py, i32>);
 
 fn aged_out(py: Python<'_>, aged: Aged) -> PyResult<AgedOut<'_>> {
     let [partner, age] = [aged.partner, aged.age].map(|entries| PyArray1::from_vec(py, entries));
@@ -153,25 +155,6 @@ pub(crate) fn crack_roughen<'py>(
     let rough = detached(py, |watch| crack::roughen(net, partner, fence, how, key, watch))?;
     let [partner, origin] = [rough.partner, rough.origin].map(|entries| PyArray1::from_vec(py, entries));
     Ok((net_out(py, rough.net)?, partner, origin))
-}
-
-/// The drawing with stubs, its fence and partners, and the edge that each piece is of.
-#[pyfunction]
-pub(crate) fn crack_stubs<'py>(
-    py: Python<'py>,
-    net: NetArrays<'py>,
-    partner: PyReadonlyArray1<'py, i32>,
-    fence: FenceArrays<'py>,
-    bounds: [f64; 4],
-    how: (f64, f64, f64, f64),
-    key: Key,
-) -> PyResult<AgedOut<'py>> {
-    let net = net.view()?;
-    let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);
-    let how = Stubs { rate: how.0, length: how.1, spread: how.2, lean: how.3 };
-    let grown = detached(py, |watch| crack::stubs(net, partner, fence, bounds, how, key, watch))?;
-    let [partner, origin] = [grown.partner, grown.origin].map(|entries| PyArray1::from_vec(py, entries));
-    Ok((net_out(py, grown.net)?, fence_out(py, grown.fence)?, partner, origin))
 }
 
 /// The vertices after a smooth warp.
@@ -312,7 +295,7 @@ pub(crate) fn crack_widths<'py>(
 }
 
 /// The partners of edge ends, each an end or -1.
-fn ends<'a>(partner: &'a PyReadonlyArray1<'_, i32>, net: NetView<'_>) -> PyResult<&'a [i32]> {
+pub(crate) fn ends<'a>(partner: &'a PyReadonlyArray1<'_, i32>, net: NetView<'_>) -> PyResult<&'a [i32]> {
     let ends = 2 * net.edges.len();
     let partner = column(partner, "partner", ends)?;
     checked(crazing::graph::check_indices("partner", partner.as_chunks::<1>().0, -1, ends))?;

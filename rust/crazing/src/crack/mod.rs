@@ -3,6 +3,7 @@
 mod aged;
 mod fence;
 mod growth;
+mod hooks;
 mod impact;
 mod net;
 mod roughen;
@@ -17,6 +18,7 @@ mod width;
 pub use aged::Aged;
 pub use fence::{Fence, FenceView};
 pub use growth::arrivals;
+pub use hooks::parted;
 pub use impact::{Impact, impact, spokes};
 pub use net::{Net, NetView};
 pub use roughen::{Rough, Roughness, roughen};
