@@ -36,6 +36,16 @@ def test_an_annulus_has_a_ring() -> None:
     assert (line.components, line.leaves, len(line.edges)) == (1, 0, len(line.vertices))
 
 
+def test_a_neck_before_a_hole_is_no_hair() -> None:
+    lobe = shapely.box(60.5, -0.7, 62, 0.7) - shapely.Point(61.2, 0).buffer(0.3)
+    polygon = shapely.union_all([shapely.box(0, -30, 60, 30), shapely.box(59, -0.1, 61, 0.1), lobe])
+    polygon = polygon - shapely.Point(61.2, 0).buffer(0.3)
+    line = cz.centerline(polygon, spacing=0.05)
+    assert shapely.Point(61.2, 0).within(shapely.convex_hull(line.to_shapely()))
+    # The box has four arms; the lobe adds the ring round its hole.
+    assert (line.components, line.leaves) == (1, 4)
+
+
 def test_two_holes_are_walked_round() -> None:
     polygon = shapely.box(0, 0, 10, 4) - shapely.Point(3, 2).buffer(1) - shapely.Point(7, 2).buffer(1)
     line = cz.centerline(polygon)

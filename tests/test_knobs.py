@@ -17,6 +17,7 @@ KNOBS = {
     "rounds": ((0, 6), {"t_share": 0.25}, {"near_right", "tortuosity"}),
     "slide": ((0.0, 0.6), {"near_right": 0.06}, set()),
     "roughness": ((0.0, 0.08), {"tortuosity": 0.04}, {"near_right", "t_share", "width_cv"}),
+    "stubs": ((0.0, 0.6), {"i_nodes": 0.1, "loops_per_junction": -0.06}, {"segment_cv", "near_right"}),
     "hierarchy": ((0.1, 1.0), {"width_cv": 0.35, "width_ratio": 1.0}, set()),
     "unevenness": ((0.0, 0.6), {"width_cv": 0.3}, {"width_ratio"}),
     "fade": ((0.0, 3.0), {"width_cv": 0.3}, {"width_ratio"}),

@@ -62,6 +62,14 @@ def test_points_from_anywhere_are_moved_into_the_period(draw) -> None:
         assert (inside >= 0).all() and (inside < (2.0, 3.0)).all()
 
 
+@pytest.mark.parametrize("centre", [(0.0, 0.0), (20.0, 20.0), (0.0, 13.0)])
+@pytest.mark.parametrize("draw", [cz.sample.normal, cz.sample.laplace])
+def test_points_heaped_up_in_a_wide_period(draw, centre: tuple[float, float]) -> None:
+    points = np.mod(draw(3000, rng=4) + centre, 40.0)
+    d = cz.diagram(points, period=(40, 40))
+    assert edges(d) == sorted(by_copies(points, (40.0, 40.0)))
+
+
 def test_alignments() -> None:
     d = cz.diagram(cz.sample.uniform(500, rng=3), period=(1, 1))
     apart = d.sites[d.triangles] - d.vertices[:, None]

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 import crazing as cz
@@ -105,6 +109,37 @@ def test_sides_agree_with_shapely() -> None:
     duals = s.diagram.dual_edges
     expected = s.axis_mask & (duals >= 0).all(axis=1) & inner[duals[:, 0]] & inner[duals[:, 1]]
     np.testing.assert_array_equal(s.inside, expected)
+
+
+def labels(s: cz.Skeleton, side: NDArray[np.bool_]) -> NDArray[np.int32]:
+    """The component of every vertex of the axis on one side, -1 off it; by the drawn edges alone."""
+    duals = s.diagram.dual_edges
+    drawn = side & s.axis_mask & (duals >= 0).all(axis=1)
+    _, copies = np.unique(s.diagram.vertices, axis=0, return_inverse=True)
+    ends = copies.ravel()[duals[drawn]]
+    ends = ends[ends[:, 0] != ends[:, 1]]
+    size = len(s.diagram.vertices)
+    found = connected_components(coo_array((np.ones(len(ends)), tuple(ends.T)), (size, size)), directed=False)[1]
+    found[~np.isin(np.arange(size), ends)] = -1
+    return found
+
+
+LIMITS = [{}, {"residual": 0.0125}, {"residual": 0.05}, {"chord": 0.3}, {"length": 0.3}, {"ratio": 1.5}, {"retract": 3}]
+
+
+@pytest.mark.parametrize("limits", LIMITS, ids=str)
+@pytest.mark.parametrize("method", ["one-step", "edge-filter"])
+def test_no_component_falls_apart(limits: dict[str, Any], method: str) -> None:
+    crowds = [8 * cz.sample.uniform(250, rng=seed) for seed in range(3)]
+    for points in (*crowds, noisy(FLOWER, 0.4) / 200):
+        s = cz.medial_axis(points, method=method)
+        pruned = s.prune(**limits)
+        inside, crossing, _ = s._sides
+        for side in (inside, ~inside & ~crossing):
+            before, after = labels(s, side), labels(pruned, side)
+            parts = np.unique(np.column_stack([before, after])[after >= 0], axis=0)
+            assert (parts[:, 0] >= 0).all()
+            assert len(np.unique(parts[:, 0])) == len(parts)
 
 
 def test_chord_drops_edges_between_near_sites() -> None:

@@ -175,7 +175,15 @@ def test_the_command_fills_the_shape_of_a_picture(tmp_path: Path) -> None:
     assert 300 < int(re.search(r"(\d+) cells", triangles.stdout)[1]) < 700
     plain = CliRunner().invoke(main, ["maze", "--seed", "1", "-n", "50", "-o", str(tmp_path / "m.dxf")])
     assert plain.exit_code == 0, plain.output
-    for bad in (["-o", "m.jpg"], ["-o", "m.svg", "-n", "2"], ["-o", "m.svg", "--within", "none.png"]):
+    coloured = CliRunner().invoke(main, [*(str(word) for word in words), "--distances"])
+    assert coloured.exit_code == 0, coloured.output
+    assert 'id="distances"' in (tmp_path / "leaf.svg").read_text()
+    for bad in (
+        ["-o", "m.dxf", "--distances"],
+        ["-o", "m.jpg"],
+        ["-o", "m.svg", "-n", "2"],
+        ["-o", "m.svg", "--within", "none.png"],
+    ):
         refused = CliRunner().invoke(main, ["maze", *bad])
         assert refused.exit_code == 2
         assert refused.stderr.startswith("Error: ") and refused.stderr.count("\n") == 1

@@ -4,7 +4,11 @@
 peak memory and crust edges of whole pipelines. Every pipeline runs in a process of its own, so that a peak is its own.
 Samples of a curve have exactly as many crust edges as samples; where a pipeline finds another number, it is wrong.
 
-Triangle is timed where the package ``triangle`` is installed; crazing does not need it.
+Triangle is timed where the package ``triangle`` is installed; crazing does not need it. Sites on one circle, as on
+either side of a mirror line, have one Voronoi vertex, which its pipeline computes once a triangle, a rounding apart.
+Joining these copies counts as axis (all of ``coincident`` below that its second triangulation keeps), and an edge that
+the second triangulation hangs on the other copy is lost. So its count is given as it is, and once more with copies
+merged by the rule of crazing (1e-9 of the radius), untimed: this is the one to compare, and it is equal.
 """
 
 from __future__ import annotations
@@ -136,6 +140,23 @@ def duals(triangles: Indices, neighbours: Indices) -> tuple[Indices, Indices]:
     return ends[once].astype(np.int32), np.column_stack([own, other])[once]
 
 
+def distinct(points: Points, vertices: Points, triangles: Indices, dual: Indices) -> tuple[Points, Indices]:
+    """The vertices without copies in neighbouring triangles, the lowest standing for all, and the dual edges so."""
+    radius = np.hypot(*(vertices - points[triangles[:, 0]]).T)
+    finite = dual[(dual >= 0).all(axis=1)]
+    gap = np.hypot(*(vertices[finite[:, 0]] - vertices[finite[:, 1]]).T)
+    pairs = finite[gap <= 1e-9 * radius[finite].max(axis=1)]
+    lowest = np.arange(len(vertices), dtype=np.int32)
+    before = None
+    while before is None or (lowest != before).any():
+        before = lowest.copy()
+        for side in (0, 1):
+            np.minimum.at(lowest, pairs[:, side], before[pairs].min(axis=1))
+    kept, place = np.unique(lowest, return_inverse=True)
+    # The last one is infinity.
+    return vertices[kept], np.append(place, -1).astype(np.int32)[dual]
+
+
 def triangle(points: Points, clock: Callable[[], float]) -> Outcome:
     """Two triangulations by Shewchuk's Triangle, the rest by NumPy."""
     triangulate: Callable[[dict[str, Points], str], dict[str, Any]] = importlib.import_module("triangle").triangulate
@@ -146,6 +167,18 @@ def triangle(points: Points, clock: Callable[[], float]) -> Outcome:
     second = triangulate({"vertices": np.concatenate([points, vertices])}, "e")["edges"].astype(np.int32)
     counts = counted(points, second, (edges, vertices, dual))
     return {"all": clock() - start}, counts
+
+
+def merged(points: Points) -> dict[str, int]:
+    """What Triangle's pipeline counts when it is given every Voronoi vertex once."""
+    triangulate: Callable[[dict[str, Points], str], dict[str, Any]] = importlib.import_module("triangle").triangulate
+    found = triangulate({"vertices": points}, "n")
+    edges, dual = duals(found["triangles"], found["neighbors"])
+    every = circumcentres(points, found["triangles"])
+    vertices, dual = distinct(points, every, found["triangles"], dual)
+    second = triangulate({"vertices": np.concatenate([points, vertices])}, "e")["edges"].astype(np.int32)
+    axis = counted(points, second, (edges, vertices, dual))["axis"]
+    return {"merged axis": axis, "coincident": len(every) - len(vertices)}
 
 
 PIPELINES: dict[str, Callable[[Points, Callable[[], float]], Outcome]] = {
@@ -163,7 +196,8 @@ def work(name: str, data: str, count: int, clock: str) -> None:
     outcomes = [PIPELINES[name](points, CLOCKS[clock]) for _ in range(runs)]
     seconds = {step: min(times[step] for times, _ in outcomes) for step in outcomes[0][0]}
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    print(json.dumps({"seconds": seconds, "peak": peak, "found": outcomes[0][1]}))
+    more = merged(points) if name == "triangle" else {}
+    print(json.dumps({"seconds": seconds, "peak": peak, "found": outcomes[0][1] | more}))
 
 
 def apart(name: str, data: str, count: int, clock: str) -> dict[str, Any]:
@@ -195,7 +229,8 @@ def steps(ours: dict[tuple[str, int], dict[str, Any]]) -> list[str]:
 def against(ours: dict[tuple[str, int], dict[str, Any]], peers: list[str], clock: str) -> list[str]:
     """Whole pipelines: the peer's time and peak memory over ours, and the crust edges that each finds."""
     table = [
-        line("points", "data", "pipeline", "seconds", "times ours", "MiB", "MiB / ours", "one-step", "two-pass", "axis")
+        line("points", "data", "pipeline", "seconds", "times ours", "MiB", "MiB / ours")
+        + line("one-step", "two-pass", "axis", "merged axis", "coincident")
     ]
     for (data, count), mine in ours.items():
         results = {"crazing": mine, **{peer: apart(peer, data, count, clock) for peer in peers}}

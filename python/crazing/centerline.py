@@ -77,8 +77,9 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
     found, boundary = _conforming([_densified(ring, apart) for ring in rings])
     if (PlanarGraph(found.sites, found.edges[boundary]).degrees != 2).any():
         raise CrazingError("the boundary of the polygon touches or crosses itself; a valid polygon is wanted")
-    inside, residual = _core.sides(found.arrays, boundary)
-    edges = _core.axis_edges(found.arrays, inside & (residual >= RESIDUAL))
+    inside, _, residual = _core.sides(found.arrays, boundary)
+    # A neck before a hole spans little of its ring, and is no hair.
+    edges = _core.axis_edges(found.arrays, _core.peeled(found.arrays, inside, residual, RESIDUAL))
     return PlanarGraph(found.vertices, edges).compact()
 
 

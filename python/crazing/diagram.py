@@ -263,6 +263,8 @@ def bounds_of(diagram: Diagram, bounds: ArrayLike | None) -> tuple[float, float,
     if not len(diagram.sites):
         return 0.0, 0.0, 1.0, 1.0
     # Kept where a width is still a float.
-    low, high = (end(axis=0).clip(-4e307, 4e307) for end in (diagram.sites.min, diagram.sites.max))
+    # Column by column: NumPy takes ten times as long along the first axis of both.
+    x, y = diagram.sites.T
+    low, high = (np.array(end).clip(-4e307, 4e307) for end in ((x.min(), y.min()), (x.max(), y.max())))
     margin = 0.1 * ((high - low).max() or max(1.0, float(np.abs(high).max())))
     return bounds_tuple((*(low - margin), *(high + margin)))

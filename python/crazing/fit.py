@@ -22,6 +22,8 @@ from crazing.statistics import CAP, LEAST_DEVIATION, SCORED, CrackStatistics
 CROP, MOST_CROPS = 800, 3
 #: Patterns an evaluation measures; the same seeds for every recipe, so that differences are the recipes' own.
 PATTERNS = 3
+#: Stubs that a fit begins with, few: without any their length would say nothing.
+STUBS = 0.15
 #: What a fit weighs besides what is scored: how dense and how wide cracks are.
 DENSITY = ("segment_length", "intensity", "width")
 
@@ -58,6 +60,8 @@ _AXES = (
     _Axis("turn", 20, 120, 0.2),
     _Axis("roughness", 0, 0.12, 0.15),
     _Axis("warp", 0, 0.3, 0.15),
+    _Axis("stubs", 0, 2, 0.1),
+    _Axis("stub_length", 0.05, 0.5, 0.15),
     _Axis("anisotropy", 1, 6, 0.08),
     _Axis("thickness", 0.01, 0.5, 0.1),
     _Axis("hierarchy", 0, 1.5, 0.2),
@@ -128,14 +132,14 @@ def fit(
     """
     budget = count(budget, "budget", high=1 << 20)
     seconds = None if seconds is None else number(seconds, "seconds", low=0)
-    crops = _crops(as_mask(mask, level=level, dark=dark))
-    found = [measure(crop) for crop in crops]
+    parts = crops(as_mask(mask, level=level, dark=dark))
+    found = [measure(part) for part in parts]
     wanted = _wanted(found)
     if not {"i_nodes", "intensity"} <= wanted.keys() or wanted["intensity"][0] == 0:
         raise CrazingError(
             "the mask has no line with an end or a junction to measure; is it bright where there is crack?"
         )
-    side = len(crops[0])
+    side = len(parts[0])
     guess = _guess(wanted, side)
     if budget == 0:
         return guess
@@ -154,8 +158,25 @@ def _words(seed: np.random.Generator, size: int) -> list[int]:
     return [_rng.key(seed)[0] for _ in range(size)]
 
 
-def _crops(mask: NDArray[np.bool_]) -> list[NDArray[np.bool_]]:
-    """Squares that cover the mask as evenly as their number allows."""
+def crops(mask: NDArray[np.bool_]) -> list[NDArray[np.bool_]]:
+    """Squares that cover a mask as evenly as their number allows: what a fit measures.
+
+    Parameters
+    ----------
+    mask : (H, W) bool
+
+    Returns
+    -------
+    list of (side, side) bool
+        `side` is the smallest of height, width and 800; neighbours share half, where that makes 3 a row at most.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from crazing.fit import crops
+    >>> [each.shape for each in crops(np.zeros((30, 45), bool))]
+    [(30, 30), (30, 30)]
+    """
     side = min(*mask.shape, CROP)
     # Neighbours share half of what they show, where that is not too many.
     counts = [min(MOST_CROPS, 1 + -(-2 * (length - side) // side)) for length in mask.shape]
@@ -185,7 +206,15 @@ def _guess(wanted: dict[str, tuple[float, float]], side: int) -> Recipe:
     opening = (by_ends + by_loops) / 2
     # All walls of n plates in a unit square measure 2 sqrt(n); an open door takes away one of about three a plate.
     root = wanted["intensity"][0] * side / 2 * 3 / (3 - opening)
-    values = {"n": max(round(root**2), 3), "opening": opening, "rounds": 3, "relax": 1, "turn": 50.0, **_skew(wanted)}
+    values = {
+        "n": max(round(root**2), 3),
+        "opening": opening,
+        "rounds": 3,
+        "relax": 1,
+        "turn": 50.0,
+        "stubs": STUBS,
+        **_skew(wanted),
+    }
     if "width" in wanted:
         values["thickness"] = min(wanted["width"][0] / side * root, 0.5)
     return Recipe(**_typed(values))

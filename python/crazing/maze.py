@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -12,14 +11,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core
 from crazing import rng as _rng
-from crazing.arguments import bounds_tuple, cell_row, choice, count, number, period_pair, points_array
+from crazing.arguments import bounds_tuple, choice, count, number, points_array
 from crazing.diagram import Diagram, as_tiling, bounds_of, unconstrained
 from crazing.graph import PlanarGraph
+from crazing.maze_drawing import Drawing
 from crazing.maze_statistics import MazeStatistics, statistics
-from crazing.path import path
 from crazing.record import Record
 from crazing.region import Region, as_region
-from crazing.sheet import sheet
 from crazing.walls import walls
 from crazing.within import Plan, delaunay_plan, triangulated, voronoi_plan
 
@@ -27,7 +25,7 @@ TREES = ("depth-first", "kruskal", "prim", "wilson")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Maze(Record):
+class Maze(Drawing, Record):
     """A maze: which doors between neighbouring cells are open. Made by :func:`crazing.maze`.
 
     Attributes
@@ -205,40 +203,6 @@ class Maze(Record):
             return self.diagram.vertices
         return np.asarray(self.diagram.sites[self.diagram.triangles].mean(axis=1))
 
-    def path(self, way: ArrayLike) -> PlanarGraph:
-        """Draw a way: from cell to cell through the middle of each door.
-
-        Parameters
-        ----------
-        way : (k,) array_like of int
-            Cells, each the neighbour of the one before through an open door: what `solve` and `longest` give.
-
-        Returns
-        -------
-        PlanarGraph
-            It meets no wall. Within a shape, a way between the `ends` begins and ends in the gaps of the outline. Of
-            a periodic maze it is cut at the sides of the period.
-
-        Raises
-        ------
-        ValueError
-            If no open door joins two cells that follow one another.
-
-        Examples
-        --------
-        >>> import crazing as cz
-        >>> m = cz.maze([(float(i), 0.0) for i in range(4)], rng=0)
-        >>> m.path([0, 1, 2]).length
-        2.0
-        """
-        return path(self, cell_row(way, "way", self.size))
-
-    def _way(self, solution: bool | ArrayLike) -> NDArray[np.int32] | None:
-        """The way between the `ends` for True, none for False, else the cells given."""
-        if isinstance(solution, (bool, np.bool_)):
-            return self.solve(*self.ends) if solution and self.ends else None
-        return np.asarray(solution, dtype=np.int32)
-
     @property
     def statistics(self) -> MazeStatistics:
         """What makes a maze hard: its dead ends, junctions, and the way between its `ends`.
@@ -254,106 +218,6 @@ class Maze(Record):
         MazeStatistics(cells=4, dead_ends=2, junctions=0, solution=4, winding=1.0)
         """
         return statistics(self)
-
-    def plot(
-        self,
-        ax: Any = None,
-        *,
-        solution: bool | ArrayLike = False,
-        distances: bool | int = False,
-        **line_style: Any,
-    ) -> Any:
-        """Draw the walls on Matplotlib axes.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            A new figure's by default.
-        solution : bool or (k,) array_like of int
-            Draw the way between the `ends`, or the way given, in red.
-        distances : bool or int
-            Colour a dot in every cell by its distance from `start`, or from the cell given.
-        **line_style
-            Of the walls, as for :meth:`crazing.PlanarGraph.plot`.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-
-        Examples
-        --------
-        >>> import crazing as cz
-        >>> ax = cz.maze(cz.sample.uniform(50, rng=2), rng=2).plot(solution=True, distances=True, color="black")
-        """
-        ax = self.walls.plot(ax, **line_style)
-        if distances is not False:
-            away = self.distances(None if distances is True else distances)
-            reached = away >= 0
-            ax.scatter(*self.centres[reached].T, c=away[reached], s=9, zorder=0)
-        way = self._way(solution)
-        if way is not None:
-            self.path(way).plot(ax, color="red")
-        return ax
-
-    def save(
-        self,
-        path: str | os.PathLike[str],
-        *,
-        page: ArrayLike = (210.0, 297.0),
-        margin: float = 10.0,
-        pen: float = 0.5,
-        thickness: float | None = None,
-        solution: bool | ArrayLike = False,
-    ) -> None:
-        """Write the walls as a page in millimetres; an existing file is replaced.
-
-        Lines are joined as far as they go, none is there twice, and they follow one another so that a pen travels
-        little: on to the nearest end that is left.
-
-        Parameters
-        ----------
-        path : str or path-like
-            Its ending decides the format: `.svg`, `.dxf` (needs ezdxf, the extra `cad`), `.pdf` or `.png` (need
-            Matplotlib, the extra `plot`; 300 pixels an inch). Layers are named walls and solution.
-        page : (width, height)
-            Of the page, millimetres; A4 upright by default.
-        margin : float
-            Kept free on all sides, millimetres.
-        pen : float
-            Width of the lines, millimetres.
-        thickness : float, optional
-            Draw walls of this thickness, millimetres, as closed outlines (needs Shapely, the extra `graph`).
-        solution : bool or (k,) array_like of int
-            Draw the way between the `ends`, or the way given, as a layer of its own.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If an argument is of the wrong type or out of range, or the ending is another.
-        CrazingError
-            If there is no wall to be drawn.
-        OSError
-            If the file cannot be written; what stood there before is then untouched.
-        ImportError
-            If a package that the format needs is not installed.
-
-        Examples
-        --------
-        >>> import os, tempfile
-        >>> import crazing as cz
-        >>> with tempfile.TemporaryDirectory() as folder:
-        ...     path = os.path.join(folder, "maze.svg")
-        ...     cz.maze(cz.sample.uniform(50, rng=2), rng=2).save(path, solution=True)
-        ...     with open(path) as file:
-        ...         print(file.readline()[:4])
-        <svg
-        """
-        size = period_pair(page, "page")
-        margin, pen = number(margin, "margin", low=0), number(pen, "pen", low=0)
-        thickness = None if thickness is None else number(thickness, "thickness", low=1e-3)
-        way = self._way(solution)
-        drawn = None if way is None else self.path(way)
-        sheet(self.walls, drawn, page=size, margin=margin, pen=pen, thickness=thickness).save(path)
 
     def __repr__(self) -> str:
         return f"Maze({self.size} {self.cells} cells, {int(self.open.sum())} open doors, start {self.start})"

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from crazing import svg
 from crazing.contour import Contours
 from crazing.errors import CrazingError
 from crazing.extras import require
@@ -62,12 +63,11 @@ def svg_lines(source: str | os.PathLike[str]) -> Contours:
     svgpathtools = require("svgpathtools", "svg")
     try:
         if isinstance(source, str) and source.lstrip()[:1] in ("M", "m"):
-            paths = [svgpathtools.parse_path(source)]
+            drawn = [(svgpathtools.parse_path(source), np.eye(3))]
         else:
             # Opened here, so that a missing file is said to be missing.
-            paths = svgpathtools.svgstr2paths(Path(source).read_text(encoding="utf-8"))[0]
-        subpaths = [part for path in paths for part in path.continuous_subpaths()]
-        lines = [_flattened(part) for part in subpaths]
+            drawn = list(svg.shapes(Path(source).read_text(encoding="utf-8")))
+        lines = [_flattened(part, matrix) for path, matrix in drawn for part in path.continuous_subpaths()]
     except OSError:
         raise
     except Exception as error:
@@ -78,11 +78,13 @@ def svg_lines(source: str | os.PathLike[str]) -> Contours:
     return rings(lines, shut)
 
 
-def _flattened(path: Any) -> NDArray[np.float64]:
+def _flattened(path: Any, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Points along a path, moved by a matrix, y up. What is moved are points: parts of a curve stay parts of it."""
     points = [path[0].start]
     for segment in path:
         straight = type(segment).__name__ == "Line"
         inner = () if straight else (segment.point(i / PARTS) for i in range(1, PARTS))
         points += [*inner, segment.end]
     places = np.array(points, dtype=np.complex128)
-    return np.column_stack([places.real, -places.imag + 0.0])
+    x, y = matrix[:2, :2] @ [places.real, places.imag] + matrix[:2, 2:]
+    return np.column_stack([x, -y + 0.0])

@@ -51,12 +51,15 @@ def prune(skeleton: Skeleton, limits: Limits) -> Skeleton:
         raise ValueError(f"the axis of method {skeleton.method!r} has edges that are not dual; it cannot be pruned")
     diagram, mask = skeleton.diagram, np.array(skeleton.axis_mask)
     if limits.residual is not None:
-        mask &= skeleton._sides[1] >= limits.residual
+        mask = _peeled(skeleton, mask, skeleton._sides[2], limits.residual)
     if limits.levels or limits.height is not None:
         rings = skeleton.ring_mask
         mask = _core.without_bumps(diagram.arrays, rings, mask, limits.height or 0.0, limits.levels)
+        if limits.residual is not None:
+            # What a bump held on to may be a hair.
+            mask = _peeled(skeleton, mask, skeleton._sides[2], limits.residual)
     if limits.chord is not None:
-        mask &= diagram.delaunay.lengths >= limits.chord
+        mask = _peeled(skeleton, mask, diagram.delaunay.lengths, limits.chord)
     for by_radius, least in ((False, limits.length), (True, limits.ratio)):
         if least is not None:
             mask = _without_branches(skeleton, mask, by_radius, least)
@@ -70,6 +73,17 @@ def prune(skeleton: Skeleton, limits: Limits) -> Skeleton:
     known = ("radius", "ring_mask", "_sides")
     vars(pruned).update({name: vars(skeleton)[name] for name in known if name in vars(skeleton)})
     return pruned
+
+
+def _peeled(skeleton: Skeleton, mask: Mask, worth: NDArray[np.float64], least: float) -> Mask:
+    """The axis without what is worth less, but for what holds a component together.
+
+    Where noise leaves a gap in a ring, the axis inside and the one around it hang together: an edge that crosses a ring
+    holds nothing.
+    """
+    crossing = skeleton._sides[1]
+    kept = _core.peeled(skeleton.diagram.arrays, mask & ~crossing, worth, least)
+    return np.asarray(kept | (mask & crossing & (worth >= least)))
 
 
 def _drawn(skeleton: Skeleton, mask: Mask) -> tuple[NDArray[np.intp], NDArray[np.int32]]:

@@ -43,6 +43,9 @@ _RANGES: dict[str, tuple[float, float]] = {
     "bend": (0, 1),
     "speed": (1, 10_000),
     "arcs": (0, 1),
+    "stubs": (0, 20),
+    "stub_length": (0, 2),
+    "stub_spread": (0, 2),
     "warp": (0, 4),
     "roughness": (0, 4),
     "hurst": (0, 2),
@@ -106,6 +109,12 @@ class Recipe:
         Impact: of what hits, km/h; the number of spokes grows as its square root, 4 at 70 and 8 at 280.
     arcs : float
         Impact: the share of arcs that are there near the source.
+    stubs : float
+        Short free branches tried along one spacing of crack; those without room are left out. 0, the default, is none.
+    stub_length : float
+        Their median length, in spacings.
+    stub_spread : float
+        Standard deviation of the logarithm of their length.
     warp : float
         Standard deviation of a smooth warp of the whole, in spacings.
     roughness : float
@@ -165,6 +174,9 @@ class Recipe:
     bend: float = 1.0
     speed: float = 200.0
     arcs: float = 0.8
+    stubs: float = 0.0
+    stub_length: float = 0.2
+    stub_spread: float = 0.3
     warp: float = 0.0
     roughness: float = 0.0
     hurst: float = 0.7
@@ -269,6 +281,10 @@ class Recipe:
         seeds = [np.random.default_rng(_rng.key(seed)) for _ in range(3)]
         if self.warp and unit:
             drawing = steps.warp(drawing, amplitude=self.warp * unit, rng=seeds[0])
+        if self.stubs and unit:  # The last of the keys is drawn here, so that no other is another without stubs.
+            drawing = steps.stubs(
+                drawing, rate=self.stubs, length=self.stub_length, spread=self.stub_spread, unit=unit, rng=seed
+            )
         if self.roughness and unit:
             drawing = steps.roughen(
                 drawing, roughness=self.roughness, unit=unit, hurst=self.hurst, grain=self.grain, rng=seeds[1]

@@ -103,6 +103,11 @@ class Region(Record):
         a, b = self.coords[side], self.coords[side + 1 if side + 1 < end else first]
         return np.asarray(a + (place - side) * (b - a))
 
+    def along(self, start: float, end: float) -> NDArray[np.float64]:
+        """(k, 2), the outline from one place to another."""
+        sides = list(self._sides(start, end))
+        return np.array([self.at(side + low) for side, low, _ in sides] + [self.at(end)])
+
     def opened(self, gaps: list[tuple[float, float]]) -> PlanarGraph:
         """The outline with gaps, each from one place to another."""
         left: dict[int, list[tuple[float, float]]] = {}

@@ -422,16 +422,18 @@ def from_svg(source: str | os.PathLike[str], *, n: int | None = None, spacing: f
     Parameters
     ----------
     source : str or path-like
-        The path of an .svg file, all of whose paths and basic shapes are taken, without their transforms; or path
-        data, which begins with M or m.
+        The path of an .svg file, whose paths and basic shapes are taken where `transform` attributes of their own,
+        of groups, of copies (`use`) and of inner pictures put them, definitions and what is not displayed left out;
+        or path data, which begins with M or m. Style sheets are not read, lengths have no unit.
     n, spacing
-        As for `from_image`, the spacing in the units of the picture. Without either: the ends of all segments, and
-        31 points within every curved one.
+        As for `from_image`, the spacing in the units of the picture, those of its own view box. Without either: the
+        ends of all segments, and 31 points within every curved one.
 
     Returns
     -------
     (n, 2) float64
-        Path after path. y is turned to point up, so it is the negative of what the picture says.
+        Path after path, in the order of the file. y is turned to point up, so it is the negative of what the picture
+        says.
 
     Raises
     ------

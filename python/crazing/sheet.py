@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from pathlib import PurePath
 from typing import Any
@@ -17,6 +17,7 @@ from crazing import _core, files
 from crazing.errors import CrazingError
 from crazing.extras import require
 from crazing.graph import PlanarGraph
+from crazing.mosaic import Mosaic, compound
 
 Line = NDArray[np.float64]
 
@@ -34,6 +35,28 @@ class Sheet:
     page: tuple[float, float]
     pen: float
     layers: dict[str, list[Line]]
+    #: The place in the maze that is the middle of the page, and millimetres a unit.
+    middle: Line
+    scale: float
+    #: Areas on the page, and the colour of each.
+    fills: Mosaic | None = None
+    colours: list[str] = field(default_factory=list)
+
+    def filled(self, mosaic: Mosaic, values: NDArray[np.int32]) -> Sheet:
+        """The same with areas coloured by the value of their cell, from pale to dark."""
+        shown = values[mosaic.cells]
+        part = shown / max(int(shown.max(initial=0)), 1)
+        # Areas of one colour are one path: a file is then little larger than its corners.
+        tints = np.rint(part * (_TINTS - 1)).astype(int)
+        order = {tint: np.flatnonzero(tints == tint).tolist() for tint in np.unique(tints).tolist()}
+        areas = [[self._placed(ring) for row in rows for ring in mosaic.areas[row]] for rows in order.values()]
+        clip = None if mosaic.clip is None else [self._placed(ring) for ring in mosaic.clip]
+        tones = [np.array([np.interp(tint / (_TINTS - 1), *tone) for tone in _RAMP]) for tint in order]
+        colours = ["#" + "".join(f"{round(value):02x}" for value in tone) for tone in tones]
+        return replace(self, fills=Mosaic(np.array(list(order), dtype=np.int32), areas, clip), colours=colours)
+
+    def _placed(self, points: Line) -> Line:
+        return np.asarray((points - self.middle) * self.scale + np.array(self.page) / 2)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the page in the format that the ending of `path` names."""
@@ -52,18 +75,36 @@ class Sheet:
         names = 'xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
         style = f'fill="none" stroke-width="{self.pen:g}" stroke-linecap="round" stroke-linejoin="round"'
         text = [f"<svg {names} {size}>", f"<metadata>crazing {_core.__version__}</metadata>"]
+        text += self._svg_fills()
         for name, lines in self.layers.items():
             layer = f'id="{name}" inkscape:label="{name}" inkscape:groupmode="layer"'
             text += [f'<g {layer} {style} stroke="{_COLOURS[name]}">', f'<path d="{self._path(lines)}"/>', "</g>"]
         return "\n".join([*text, "</svg>"]).encode()
 
-    def _path(self, lines: list[Line]) -> str:
+    def _svg_fills(self) -> list[str]:
+        if self.fills is None:
+            return []
+        text = ['<g id="distances" inkscape:label="distances" inkscape:groupmode="layer">']
+        if self.fills.clip is not None:
+            shape = f'<path clip-rule="evenodd" d="{self._path(self.fills.clip, "Z")}"/>'
+            text = [f'<clipPath id="shape">{shape}</clipPath>', text[0].replace("<g", '<g clip-path="url(#shape)"')]
+        for rings, colour in zip(self.fills.areas, self.colours, strict=True):
+            # A line of the same colour, or the page would shine through between neighbours.
+            style = f'fill="{colour}" stroke="{colour}" stroke-width="{_SEAM}" stroke-linejoin="round"'
+            text.append(f'<path {style} d="{self._path(rings, "Z")}"/>')
+        return [*text, "</g>"]
+
+    def _path(self, lines: list[Line], end: str = "") -> str:
         turned = (line * (1, -1) + (0, self.page[1]) for line in lines)
         # A thousandth of a millimetre is finer than any machine.
-        return "".join("M" + "L".join(f"{x:.3f} {y:.3f}" for x, y in line.tolist()) for line in turned)
+        return "".join("M" + "L".join(f"{x:.3f} {y:.3f}" for x, y in line.tolist()) + end for line in turned)
 
     def dxf(self) -> bytes:
         """One layer of LWPOLYLINE each, units millimetres."""
+        if self.fills is not None:
+            raise ValueError(
+                "distances are colours, which a plan in DXF has not; an ending of .svg, .pdf or .png is wanted"
+            )
         ezdxf = require("ezdxf", "cad")
         drawing = ezdxf.new("R2010", units=ezdxf.units.MM)
         space = drawing.modelspace()
@@ -92,6 +133,8 @@ class Sheet:
         axes = figure.add_axes((0, 0, 1, 1))
         axes.set(xlim=(0, self.page[0]), ylim=(0, self.page[1]))
         axes.set_axis_off()
+        if self.fills is not None:
+            self._print_fills(axes)
         for name, layer in self.layers.items():
             style = {"capstyle": "round", "joinstyle": "round", "linewidths": self.pen / _INCH * 72}
             axes.add_collection(lines(layer, colors=_COLOURS[name], **style))
@@ -99,6 +142,32 @@ class Sheet:
         figure.savefig(content, **options)
         return content.getvalue()
 
+    def _print_fills(self, axes: Any) -> None:
+        assert self.fills is not None
+        collection, path = (
+            require("matplotlib.collections", "plot").PathCollection,
+            require("matplotlib.path", "plot").Path,
+        )
+        areas = [compound(path, rings) for rings in self.fills.areas]
+        seam = {"edgecolors": self.colours, "linewidths": _SEAM / _INCH * 72, "joinstyle": "round"}
+        drawn = collection(areas, facecolors=self.colours, **seam, zorder=0)
+        axes.add_collection(drawn)
+        if self.fills.clip is not None:
+            drawn.set_clip_path(compound(path, self.fills.clip), axes.transData)
+
+
+#: Millimetres: the line about filled areas.
+_SEAM = 0.05
+
+#: Steps from the palest colour to the darkest.
+_TINTS = 64
+
+#: Red, green and blue along the way from near to far: from straw over sea green to slate, on which black walls and a
+#: red way stand out everywhere.
+_RAMP = [
+    ((0, 0.25, 0.5, 0.75, 1), tone)
+    for tone in ((255, 205, 140, 104, 96), (246, 230, 203, 164, 118), (214, 188, 187, 192, 178))
+]
 
 _COLOURS = {"walls": "black", "solution": "red"}
 
@@ -129,7 +198,7 @@ def sheet(
     layers = {"walls": ordered(lines)}
     if solution is not None:
         layers["solution"] = ordered(list(_lines(solution, (low + high) / 2, scale, page)))
-    return Sheet(page, pen, layers)
+    return Sheet(page, pen, layers, (low + high) / 2, scale)
 
 
 def _lines(graph: PlanarGraph, middle: Line, scale: float, page: tuple[float, float]) -> Iterator[Line]:

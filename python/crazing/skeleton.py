@@ -136,14 +136,19 @@ class Skeleton(Record):
         change of its curvature from sample to sample: nothing on a smooth curve or a polygon, about a pixel's stairs
         on the contour of a mask.
 
+        Nothing falls apart: what hangs together inside the rings, or around them, does so afterwards. A component
+        whose edges are all too small vanishes. Edges that cross a ring, through gaps that noise leaves in it, hold
+        nothing together.
+
         Parameters
         ----------
         residual : float, optional
             Least part of the closed ring of crust that an axis edge has to span: the shorter way along the ring
-            between its two sites, over the length of the ring. Needs no unit, keeps one component and makes no
-            cycle. Between two lines it is infinite.
+            between its two sites, over the length of the ring. Needs no unit and makes no cycle. Between two lines it
+            is infinite; edges that span less stay where they hold such parts together, as before a lobe with a hole.
         chord : float, optional
-            Least distance between the two sites of an axis edge, in data units.
+            Least distance between the two sites of an axis edge, in data units; narrower necks between wider parts
+            stay.
         length : float, optional
             Least length of a branch that ends freely, in data units; the shortest goes first.
         ratio : float, optional
@@ -212,8 +217,8 @@ class Skeleton(Record):
         return mask if (degrees == 2).all() else _core.curve(self.diagram.arrays)
 
     @cached_property
-    def _sides(self) -> tuple[Mask, NDArray[np.float64]]:
-        """Whether each dual edge is inside the rings, and its arc residual."""
+    def _sides(self) -> tuple[Mask, Mask, NDArray[np.float64]]:
+        """Whether each dual edge is inside the rings, whether it crosses one, and its arc residual."""
         return _core.sides(self.diagram.arrays, self.ring_mask)
 
 

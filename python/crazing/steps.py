@@ -17,7 +17,7 @@ from crazing.maze import Maze
 from crazing.record import Record
 from crazing.rng import RNG, key
 
-__all__ = ["Drawing", "draw", "follow", "impact", "roughen", "split", "straighten", "walls", "warp", "widen"]
+__all__ = ["Drawing", "draw", "follow", "impact", "roughen", "split", "straighten", "stubs", "walls", "warp", "widen"]
 
 #: The shortest reach of a source, data units: widths fade by a power of the distance over it.
 NEAREST = 1e-300
@@ -426,6 +426,71 @@ def straighten(
         arguments.number(clamp, "clamp", low=0, high=0.5),
     )
     return replace(drawing, vertices=moved)
+
+
+def stubs(
+    drawing: Drawing,
+    *,
+    rate: float,
+    length: float,
+    unit: float,
+    spread: float = 0.3,
+    lean: float = 8.0,
+    rng: RNG = None,
+) -> Drawing:
+    """Grow stubs: short free branches that leave cracks at about a right angle.
+
+    Parameters
+    ----------
+    drawing : Drawing
+        Not yet rough: pieces of rough cracks have no room of their own.
+    rate : float
+        Stubs tried along one `unit` of crack.
+    length : float
+        Median length, in units.
+    unit : float
+        A length, data units; recipes take the spacing of the plates.
+    spread : float
+        Standard deviation of the logarithm of length.
+    lean : float
+        Standard deviation of the angle to the right angle, degrees.
+    rng : int, numpy.random.Generator or None
+        Seed.
+
+    Returns
+    -------
+    Drawing
+        What was there stays, pieces of one edge being a strand still. Each stub is a strand of its own, the youngest
+        where cracks know their age. Stubs that would meet another crack, leave the bounds or be longer than the edge
+        they grow from are left out, so that there are fewer than tried, long ones most.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of the wrong type or out of range.
+
+    Examples
+    --------
+    >>> import crazing as cz
+    >>> bare = cz.steps.split(20, rng=1)
+    >>> grown = cz.steps.stubs(bare, rate=2, length=0.2, unit=0.2, rng=1)
+    >>> stubs = (len(grown.vertices) - len(bare.vertices)) // 2
+    >>> stubs > 0, len(grown.edges) - len(bare.edges) == 2 * stubs
+    (True, True)
+    """
+    unit = arguments.number(unit, "unit", low=NEAREST)
+    how = (
+        arguments.number(rate, "rate", low=0, high=1e6) / unit,
+        arguments.number(length, "length", low=0, high=1e6) * unit,
+        arguments.number(spread, "spread", low=0, high=4),
+        float(np.radians(arguments.number(lean, "lean", low=0, high=60))),
+    )
+    found = _core.crack_stubs(drawing.net, drawing.partner, drawing.fence, drawing.bounds, how, key(rng))
+    net, fence, partner, origin = found
+    age = drawing.age
+    if len(age):
+        age = np.where(origin < 0, age.max() + np.cumsum(origin < 0), age[origin]).astype(np.int32)
+    return Drawing(*net, drawing.bounds, fence, partner, age)
 
 
 def roughen(

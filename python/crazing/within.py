@@ -63,8 +63,8 @@ class Plan(Record):
 
 def voronoi_plan(diagram: Diagram, region: Region) -> Plan:
     """The parts of Voronoi cells in a shape."""
-    parts, rows, sides, rim, arcs = _core.region_cells(unconstrained(diagram).arrays, region.rings)
-    return Plan(sides, rows, parts, rim, arcs, np.zeros(len(sides), dtype=bool))
+    parts, rows, sides, rim, arcs, outer = _core.region_cells(unconstrained(diagram).arrays, region.rings)
+    return Plan(sides, rows, parts, rim[outer], arcs[outer], np.zeros(len(sides), dtype=bool))
 
 
 def triangulated(points: NDArray[np.float64], region: Region) -> Diagram:

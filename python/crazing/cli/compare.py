@@ -11,6 +11,7 @@ import click
 import crazing
 from crazing.cli.output import opened, output_option, say
 from crazing.cli.progress import steps
+from crazing.cli.source import level_option
 from crazing.extras import require
 from crazing.images import read_image
 from crazing.panels import row
@@ -46,15 +47,7 @@ def _numbers(ctx: click.Context, parameter: click.Parameter, value: str | None) 
     help="Several numbers of samples instead: a study with a line for each.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print the table as JSON.")
-@click.option(
-    "--level",
-    type=float,
-    metavar="Z",
-    multiple=True,
-    default=(0.5,),
-    show_default=True,
-    help="Brightness where the contour runs, from 0 black to 1 white; may be given several times.",
-)
+@level_option
 @click.option("--first", default="one-step", show_default=True, metavar="METHOD", help="The one method.")
 @click.option("--second", default="edge-filter", show_default=True, metavar="METHOD", help="The other method.")
 @click.option(

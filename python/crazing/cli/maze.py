@@ -44,22 +44,27 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
     help="How the ways grow.",
 )
 @click.option("--solution", is_flag=True, help="Draw the solution too, as a layer of its own.")
+@click.option("--distances", is_flag=True, help="Colour the cells by their distance from the start; not in .dxf.")
 @click.option("--seed", type=click.IntRange(min=0), help="Seed; by default a fresh one, which is printed.")
 @click.option("--page", type=float, nargs=2, default=(210.0, 297.0), show_default=True, help="Width, height in mm.")
 @click.option("--thickness", type=float, help="Thickness of the walls in mm, drawn as outlines.")
 @click.option("-o", "--output", required=True, metavar="FILE", callback=_checked, help="An .svg, .dxf, .pdf or .png.")
-def command(*, output: str, solution: bool, seed: int | None, thickness: float | None, **parameters: Any) -> None:
+def command(
+    *, output: str, solution: bool, distances: bool, seed: int | None, thickness: float | None, **parameters: Any
+) -> None:
     """Draws a maze on a page, in millimetres.
 
     Within a shape, entrance and exit are the two places of its outline that lie farthest apart.
     """
+    if distances and output.lower().endswith(".dxf"):
+        raise click.BadParameter("--distances are colours, which a .dxf has not.")
     seed = secrets.randbits(32) if seed is None else seed
     page = parameters.pop("page")
     with steps(2) as begin:
         begin("carving")
         maze = _maze(seed=seed, page=page, **parameters)
         begin("writing")
-        maze.save(output, page=page, solution=solution, thickness=thickness)
+        maze.save(output, page=page, solution=solution, distances=distances, thickness=thickness)
     found = maze.statistics
     click.echo(
         f"{output}: {found.cells} cells, {found.dead_ends} dead ends, {found.junctions} junctions, "

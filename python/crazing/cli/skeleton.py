@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 import crazing
 from crazing.cli.progress import steps
-from crazing.edit import exchange
-from crazing.images import read_image
+from crazing.cli.source import level_option, samples
 from crazing.pruning import RESIDUAL
 
 VECTORS = (".svg", ".dxf", ".geojson")
@@ -52,15 +51,7 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
 @click.option("--part", type=click.Choice([*PARTS]), default="inner", show_default=True, help="What is written.")
 @click.option("--points", type=click.IntRange(min=3), metavar="N", help="Samples along all contours together.")
 @click.option("--spacing", type=float, metavar="D", help="Distance between samples instead, in pixels.")
-@click.option(
-    "--level",
-    type=float,
-    metavar="Z",
-    multiple=True,
-    default=(0.5,),
-    show_default=True,
-    help="Brightness where the contour runs, from 0 black to 1 white; may be given several times.",
-)
+@level_option
 @click.option("--hairs", is_flag=True, help="Leave the axis as it is found; by default its hairs are pruned.")
 @click.option(
     "--height",
@@ -89,7 +80,7 @@ def command(*, source: str, part: str, output: str, size: int, as_json: bool, **
     """
     with steps(3) as begin:
         begin("reading")
-        points, grain = _samples(source, given["points"], given["spacing"], given["level"])
+        points, grain = samples(source, given["points"], given["spacing"], given["level"])
         height = grain if given["height"] is None else given["height"]
         begin("tracing")
         found = PARTS[part](_skeleton(points, given["method"], given["hairs"], height)).compact()
@@ -110,23 +101,6 @@ def command(*, source: str, part: str, output: str, size: int, as_json: bool, **
         f"length {found.length:.6g}, {found.components} pieces, {found.leaves} free ends"
     )
     click.echo(json.dumps(report) if as_json else words)
-
-
-def _samples(
-    source: str, n: int | None, spacing: float | None, level: tuple[float, ...]
-) -> tuple[NDArray[np.float64], float | None]:
-    """The samples, and how high the steps are that their making left in them, if that is known."""
-    if n is not None and spacing is not None:
-        raise click.UsageError("--points and --spacing exclude one another.")
-    content = Path(source).read_bytes()
-    if exchange.is_picture(content):
-        levels = level if len(level) > 1 else level[0]
-        return crazing.sample.from_image(read_image(source), level=levels, n=n, spacing=spacing), 1.0
-    if exchange.is_foreign_svg(content):
-        return crazing.sample.from_svg(source, n=n, spacing=spacing), None
-    if n is not None or spacing is not None:
-        raise click.UsageError(f"{source} holds points, which are taken as they are, without --points and --spacing.")
-    return exchange.load(content), None
 
 
 def _skeleton(points: NDArray[np.float64], method: str, hairs: bool, height: float | None) -> crazing.Skeleton:

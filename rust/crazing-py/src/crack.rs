@@ -2,7 +2,7 @@
 
 use crazing::Point;
 use crazing::crack::{
-    self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Roughness, Splitting, Straightening,
+    self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Roughness, Splitting, Straightening, Stubs,
 };
 use crazing::rng::Key;
 use crazing::sample::Density;
@@ -153,6 +153,25 @@ pub(crate) fn crack_roughen<'py>(
     let rough = detached(py, |watch| crack::roughen(net, partner, fence, how, key, watch))?;
     let [partner, origin] = [rough.partner, rough.origin].map(|entries| PyArray1::from_vec(py, entries));
     Ok((net_out(py, rough.net)?, partner, origin))
+}
+
+/// The drawing with stubs, its fence and partners, and the edge that each piece is of.
+#[pyfunction]
+pub(crate) fn crack_stubs<'py>(
+    py: Python<'py>,
+    net: NetArrays<'py>,
+    partner: PyReadonlyArray1<'py, i32>,
+    fence: FenceArrays<'py>,
+    bounds: [f64; 4],
+    how: (f64, f64, f64, f64),
+    key: Key,
+) -> PyResult<AgedOut<'py>> {
+    let net = net.view()?;
+    let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);
+    let how = Stubs { rate: how.0, length: how.1, spread: how.2, lean: how.3 };
+    let grown = detached(py, |watch| crack::stubs(net, partner, fence, bounds, how, key, watch))?;
+    let [partner, origin] = [grown.partner, grown.origin].map(|entries| PyArray1::from_vec(py, entries));
+    Ok((net_out(py, grown.net)?, fence_out(py, grown.fence)?, partner, origin))
 }
 
 /// The vertices after a smooth warp.

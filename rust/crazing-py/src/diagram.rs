@@ -115,6 +115,20 @@ pub(crate) fn tile<'py>(
     Ok((table(py, graph.vertices)?, table(py, graph.edges)?))
 }
 
+/// Corners and offsets of every cell as a polygon; on a torus the steps between copies of sites, edge by edge.
+#[pyfunction]
+pub(crate) fn mosaic<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    steps: Option<PyReadonlyArray2<'py, f64>>,
+    bounds: [f64; 4],
+) -> PyResult<(Table<'py, f64>, Row<'py, i64>)> {
+    let view = arrays.view()?;
+    let steps = steps.as_ref().map(rows).transpose()?;
+    let found = detached(py, |watch| crazing::diagram::mosaic(view, steps, bounds, watch))?;
+    Ok((table(py, found.coords)?, PyArray1::from_vec(py, found.offsets)))
+}
+
 /// The next quarter-edge about the same origin, for every quarter-edge; with the shifts of a torus.
 #[pyfunction]
 pub(crate) fn onext<'py>(

@@ -25,12 +25,12 @@ mod _core {
 
     #[pymodule_export]
     use crate::crack::{
-        crack_arrivals, crack_impact, crack_pairs, crack_roughen, crack_split, crack_straighten, crack_trim,
-        crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
+        crack_arrivals, crack_impact, crack_pairs, crack_roughen, crack_split, crack_straighten, crack_stubs,
+        crack_trim, crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
     };
     #[pymodule_export]
     use crate::diagram::{
-        constrained_diagram, depths, diagram, dual_edges, onext, periodic_diagram, representatives, tile,
+        constrained_diagram, depths, diagram, dual_edges, mosaic, onext, periodic_diagram, representatives, tile,
     };
     #[pymodule_export]
     use crate::graph::{graph_compact, graph_components, graph_degrees, graph_distances, graph_polylines};
@@ -52,7 +52,7 @@ mod _core {
     };
     #[pymodule_export]
     use crate::skeleton::{
-        axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, poles, poles_axis, sides,
+        axis_edges, branches, crust_mask, curve, edge_filter, initial, longest_path, peeled, poles, poles_axis, sides,
         without_bumps,
     };
     #[pymodule_export]

@@ -10,7 +10,10 @@ use crate::guard::detached;
 
 type Row<'py, T> = Bound<'py, PyArray1<T>>;
 type Table<'py, T> = Bound<'py, PyArray2<T>>;
-type Cells<'py> = (Row<'py, i32>, Row<'py, i32>, Table<'py, i32>, Row<'py, i32>, Table<'py, f64>);
+#[rustfmt::skip]
+type Cells<'py> = (
+    Row<'py, i32>, Row<'py, i32>, Table<'py, i32>, Row<'py, i32>, Table<'py, f64>, Row<'py, bool>,
+);
 
 /// The coordinates and offsets of a region, as the face passes them.
 #[derive(FromPyObject)]
@@ -39,7 +42,8 @@ pub(crate) fn region_contains<'py>(
     Ok(PyArray1::from_vec(py, found?))
 }
 
-/// Further parts, rows of further doors, sides of all doors, cells on the rim and where they meet the outline.
+/// Further parts, rows of further doors, sides of all doors, cells on the outline, where they meet it, and whether it is
+/// an outer ring that they meet.
 #[pyfunction]
 pub(crate) fn region_cells<'py>(py: Python<'py>, arrays: Arrays<'py>, rings: Rings<'py>) -> PyResult<Cells<'py>> {
     let (view, coords, offsets) = (arrays.view()?, rows(&rings.0)?, rings.1.as_slice()?);
@@ -53,6 +57,7 @@ pub(crate) fn region_cells<'py>(py: Python<'py>, arrays: Arrays<'py>, rings: Rin
         table(py, found.sides)?,
         PyArray1::from_vec(py, found.rim),
         table(py, found.arcs)?,
+        PyArray1::from_vec(py, found.outer),
     ))
 }
 

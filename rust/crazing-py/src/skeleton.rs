@@ -32,9 +32,10 @@ pub(crate) fn curve<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Mask<
     Ok(PyArray1::from_vec(py, detached(py, |watch| skeleton::curve(view, watch))?))
 }
 
-type Sides<'py> = (Mask<'py>, Bound<'py, PyArray1<f64>>);
+type Sides<'py> = (Mask<'py>, Mask<'py>, Bound<'py, PyArray1<f64>>);
 
-/// Whether each dual edge is inside the rings of the masked edges, and its arc residual.
+/// Whether each dual edge is inside the rings of the masked edges, whether one passes between its ends, and its arc
+/// residual.
 #[pyfunction]
 pub(crate) fn sides<'py>(
     py: Python<'py>,
@@ -43,11 +44,11 @@ pub(crate) fn sides<'py>(
 ) -> PyResult<Sides<'py>> {
     let view = arrays.view()?;
     let mask = column(&mask, "mask", view.edges.len())?;
-    let (inside, residuals) = detached(py, |watch| {
+    let (inside, crossed, residuals) = detached(py, |watch| {
         let rings = skeleton::Rings::of(view, mask, watch)?;
-        Ok((rings.inside(watch)?, rings.residuals()))
+        Ok((rings.inside(watch)?, rings.walls_between().to_vec(), rings.residuals()))
     })?;
-    Ok((PyArray1::from_vec(py, inside), PyArray1::from_vec(py, residuals)))
+    Ok((PyArray1::from_vec(py, inside), PyArray1::from_vec(py, crossed), PyArray1::from_vec(py, residuals)))
 }
 
 /// An axis without the tips that are no higher than `least`, or than `levels` of the noise of the samples.
@@ -64,6 +65,20 @@ pub(crate) fn without_bumps<'py>(
     let (mask, axis) = (column(&mask, "mask", view.edges.len())?, column(&axis, "axis", view.edges.len())?);
     let kept = detached(py, |watch| skeleton::Rings::of(view, mask, watch)?.without_bumps(axis, least, levels, watch))?;
     Ok(PyArray1::from_vec(py, kept))
+}
+
+/// An axis without the edges worth less than `least`, but for those that hold it together.
+#[pyfunction]
+pub(crate) fn peeled<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    axis: PyReadonlyArray1<'py, bool>,
+    worth: PyReadonlyArray1<'py, f64>,
+    least: f64,
+) -> PyResult<Mask<'py>> {
+    let view = arrays.view()?;
+    let (axis, worth) = (column(&axis, "axis", view.edges.len())?, column(&worth, "worth", view.edges.len())?);
+    Ok(PyArray1::from_vec(py, detached(py, |watch| skeleton::peeled(view, axis, worth, least, watch))?))
 }
 
 /// Which edges are left when branches that measure less are taken off.

@@ -32,6 +32,8 @@ pub mod stream {
     pub const SPLIT: u64 = 10;
     /// Spokes and arcs about an impact.
     pub const IMPACT: u64 = 11;
+    /// Short free branches of cracks.
+    pub const STUBS: u64 = 12;
     /// Noise over the pixels of a texture.
     pub const GRAIN: u64 = 40;
     /// How the plates of a texture differ.

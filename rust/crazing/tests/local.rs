@@ -79,6 +79,31 @@ fn equals_the_second_triangulation_edge_for_edge() {
     }
 }
 
+/// Samples of two arms and the bend between them, in which a disc touches one edge of a cell and comes in by another: a
+/// walk that enters every cell once only keeps an axis edge too many.
+#[rustfmt::skip]
+const TWO_DOORS: [[Point; 10]; 3] = [
+    [[1e6, 0.0], [708541.0, 387683.0], [707912.0, 388555.0], [562920.0, 493883.0], [561978.0, 494596.0],
+     [561029.0, 495290.0], [558147.0, 497250.0], [557173.0, 497861.0], [1310.0, 341225.0], [0.0, 340885.0]],
+    [[0.0, 410640.0], [211999.0, 24960.0], [212961.0, 23048.0], [224805.0, 9233.0], [231784.0, 5084.0],
+     [233680.0, 4240.0], [625276.0, 5687.0], [626816.0, 5647.0], [628355.0, 5662.0], [1e6, 0.0]],
+    [[0.0, 420122.0], [352943.0, 70626.0], [353693.0, 69838.0], [512590.0, 1155.0], [513670.0, 609.0],
+     [514747.0, 142.0], [525226.0, 0.0], [526233.0, 447.0], [998882.0, 504879.0], [1e6, 505894.0]],
+];
+
+#[test]
+fn a_cell_is_entered_by_every_edge_that_a_disc_comes_in_by() {
+    for points in TWO_DOORS {
+        let d = of(&points);
+        let (one, local) = (one_step(d.view()).unwrap(), edge_filter(d.view()).unwrap());
+        for (k, [crust, axis]) in margins(&d).into_iter().enumerate() {
+            assert!(crust.abs() > 1e-7 && !(axis.abs() < 1e-7), "no tie");
+            assert_eq!(local.crust[k], crust > 0.0 && one[k]);
+            assert_eq!(local.axis[k], axis > 0.0 && !one[k]);
+        }
+    }
+}
+
 #[test]
 fn every_family_ends() {
     for name in FAMILIES {

@@ -122,6 +122,28 @@ fn every_family_at_a_size_that_needs_a_halo() {
 }
 
 #[test]
+fn sites_far_from_the_sides_and_about_the_corner() {
+    // Few sites near the sides, or nearly all of them: circles reach over any narrow halo.
+    let step = |i: usize, golden: f64| (i as f64 * golden).fract();
+    let spread = |u: f64| (2.0 * u - 1.0) / (1.02 - (2.0 * u - 1.0).abs()) * 0.02;
+    for (centre, n) in [([0.5, 0.5], 2000), ([0.0, 0.0], 2000), ([0.0, 0.5], 1500), ([0.98, 0.3], 700)] {
+        let at = |i: usize| [step(i, 0.618_033_988_749), step(i, 0.754_877_666_246)].map(spread);
+        let heap: Vec<Point> = (0..n).map(|i| [0, 1].map(|axis| at(i)[axis] + centre[axis])).collect();
+        check(&of(&laid_near(&heap, [1.0, 0.75]), [1.0, 0.75]), [1.0, 0.75], 1);
+        let turn = |i: usize| 2.0 * std::f64::consts::PI * step(i, 0.618_033_988_749);
+        let ring = |i: usize| [centre[0] + 0.1 * turn(i).cos(), centre[1] + 0.1 * turn(i).sin()];
+        let ring: Vec<Point> = (0..n).map(ring).collect();
+        check(&of(&laid_near(&ring, [1.0, 1.0]), [1.0, 1.0]), [1.0, 1.0], 1);
+    }
+}
+
+/// Points brought into a period and onto a grid on which every copy is exact.
+fn laid_near(points: &[Point], period: Point) -> Vec<Point> {
+    let onto = |x: f64, side: f64| (x.rem_euclid(side) * 1_073_741_824.0).floor() / 1_073_741_824.0 % side;
+    points.iter().map(|p| [onto(p[0], period[0]), onto(p[1], period[1])]).collect()
+}
+
+#[test]
 fn lattices_aligned_with_the_period_have_the_same_diagonals_everywhere() {
     for side in [1, 2, 3, 5, 24] {
         let points: Vec<Point> = (0..side * side).map(|i| [f64::from(i % side), f64::from(i / side)]).collect();

@@ -22,6 +22,11 @@ const OWN: f64 = 0.96;
 const PIECE: f64 = 0.2;
 /// How far, as a part of the distance to the source, an arc is off at a spoke; less than half the step to the next.
 const OFF: f64 = 0.1;
+/// Arcs are as straight as they can be: their middle is nearer to the source by no more than this part of their distance,
+/// which with what they are off at their ends is less than half the step to the next.
+const SAG: f64 = 0.02;
+/// An arc as long as this many sides of a piece is too long: a new spoke leaves its middle.
+const LONG: f64 = 2.2;
 /// How near the room about an edge comes to its neighbours.
 const ROOM: f64 = 0.25;
 
@@ -90,6 +95,8 @@ struct Star {
     reach: f64,
     /// Each arc is about this many times as far as the one before.
     growth: f64,
+    /// An arc about this long is too long.
+    side: f64,
     rng: Rng,
     points: Vec<Point>,
     spokes: Vec<Spoke>,
@@ -109,9 +116,10 @@ impl Star {
         let count = spokes(how.speed);
         let rings = (how.cells as f64 / (1.6 * count as f64)).max(2.0);
         let growth = libm::pow(1.0 / CRUSHED, 1.0 / rings).max(1.3);
+        let side = LONG * reach * (std::f64::consts::PI / how.cells.max(1) as f64).sqrt();
         let rng = Rng::new(key, stream::IMPACT);
         let (points, spokes, wedges, arcs) = (vec![how.source], Vec::new(), VecDeque::new(), Vec::new());
-        let mut star = Self { how, half, reach, growth, rng, points, spokes, wedges, arcs, ages: 0 };
+        let mut star = Self { how, half, reach, growth, side, rng, points, spokes, wedges, arcs, ages: 0 };
         let (turn, gap) = (star.rng.unit(), std::f64::consts::TAU / count as f64);
         for i in 0..count {
             let angle = gap * (i as f64 + turn + 0.5 * (star.rng.unit() - 0.5));
@@ -140,14 +148,14 @@ impl Star {
         self.points.len() as i32 - 1
     }
 
-    /// A spoke from a vertex outward; some reach the bounds, the others end on the way.
+    /// A spoke from a vertex outward; some reach the bounds, others end on the way.
     fn add_spoke(&mut self, angle: f64, start: (f64, i32)) -> usize {
         let most = self
             .half
             .map_or(2.0 * self.reach, |half| (half[0] / libm::cos(angle).abs()).min(half[1] / libm::sin(angle).abs()));
         let chance = self.normal();
-        // Two of three get all the way.
-        let to = if chance > -0.43 {
+        // Two of three get all the way, the first ones all: one that ended would leave half of its side empty.
+        let to = if chance > -0.43 || start.1 == 0 {
             most
         } else {
             start.0 + (self.reach.min(most) - start.0).max(0.0) * libm::exp(0.6 * chance)
@@ -166,7 +174,7 @@ impl Star {
             if far * (1.0 + OFF) >= most {
                 return;
             }
-            let wide = far * wedge.wide > (0.5 + 0.3 * self.rng.unit()) * self.reach;
+            let wide = far * wedge.wide > (0.8 + 0.5 * self.rng.unit()) * self.side;
             let kept = self.rng.unit() < self.how.arcs * (1.0 - far / self.reach).max(0.0).sqrt();
             if wide {
                 let (middle, angle) = self.arc(wedge, far, true);
@@ -191,11 +199,16 @@ impl Star {
             pieces += pieces % 2;
         }
         let from = self.spokes[wedge.spokes[0]].angle;
+        let half = 0.5 * wedge.wide.min(2.0);
+        // The part of the way from a circle to its chord.
+        let flat = (SAG / (1.0 - libm::cos(half)).max(f64::MIN_POSITIVE)).min(1.0);
         let mut line = Vec::new();
         let mut middle = ((far, NONE), from);
         for i in 0..=pieces {
             let part = i as f64 / pieces as f64;
             let (angle, far) = (from + part * wedge.wide, ends[0] + part * (ends[1] - ends[0]));
+            let chord = libm::cos(half) / libm::cos(half * (2.0 * part - 1.0));
+            let far = far * (1.0 - flat + flat * chord);
             let vertex = self.add_point(angle, far);
             line.push(vertex);
             if 2 * i == pieces {

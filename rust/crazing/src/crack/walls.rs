@@ -28,7 +28,12 @@ pub fn within(view: DiagramView<'_>, open: &[bool], bounds: Bounds) -> Result<Wa
     let clipped = clip::dual_edges(view, bounds, |_| true)?;
     let uncut = view.vertices.len();
     let doors = Doors { ends: clipped.graph.edges, rows: clipped.rows, shifts: Vec::new() };
-    Ok(doors.walls(view, open, &clipped.graph.vertices, uncut, |_, _| [0; 6]))
+    let mut walls = doors.walls(view, open, &clipped.graph.vertices, uncut, |_, _| [0; 6]);
+    // A vertex that happens to lie on a side is part of the outline too, and must not leave it.
+    for (cut, p) in walls.net.cut.iter_mut().zip(&walls.net.vertices) {
+        *cut |= (0..2).any(|i| p[i] == bounds[i] || p[i] == bounds[i + 2]);
+    }
+    Ok(walls)
 }
 
 /// The dual edges of rows that are not `open`, on a torus: `shifts` and `dual_shifts` are those of its diagram.

@@ -35,6 +35,52 @@ pub(super) fn triangulate(points: &[Point], watch: Watch<'_>) -> Result<Topology
     }
 }
 
+/// A triangulation that takes more points.
+pub(super) struct Growing {
+    mesh: Mesh,
+    /// The number of every vertex.
+    sequence: Vec<u32>,
+}
+
+impl Growing {
+    /// Triangulates distinct points that follow a Hilbert curve; None when all lie on one line.
+    pub(super) fn of(points: &[Point], watch: Watch<'_>) -> Result<Option<Self>> {
+        let Some(Rounds { order, near }) = sequence(points) else { return Ok(None) };
+        Ok(Some(Self { mesh: insert(points, &order, &near, watch)?, sequence: order }))
+    }
+
+    /// Adds points that differ from each other and from all before. They are numbered on.
+    pub(super) fn add(&mut self, points: &[Point], watch: Watch<'_>) -> Result<()> {
+        let curve = order::hilbert(points);
+        let along: Vec<Point> = curve.iter().map(|&row| points[row as usize]).collect();
+        let Rounds { order, near } = order::rounds(&along);
+        insert_into(&mut self.mesh, &along, &order, &near, watch)?;
+        let before = self.sequence.len() as u32;
+        self.sequence.extend(order.into_iter().map(|i| before + curve[i as usize]));
+        Ok(())
+    }
+
+    /// The numbers of all points in the order of insertion: of those given first, every first part is a random sample.
+    pub(super) fn sequence(&self) -> &[u32] {
+        &self.sequence
+    }
+
+    /// The corners of every triangle.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+        self.mesh.inner_faces().map(|face| face.vertices().map(|vertex| self.sequence[vertex.index()]))
+    }
+
+    /// The points on the convex hull.
+    pub(super) fn hull(&self) -> impl Iterator<Item = u32> {
+        self.mesh.convex_hull().map(|edge| self.sequence[edge.from().index()])
+    }
+
+    /// See [`triangulate`].
+    pub(super) fn read(&self, watch: Watch<'_>) -> Result<Topology> {
+        read(&self.mesh, &self.sequence, watch)
+    }
+}
+
 /// The same with edges along `constraints`, of which no two cross, and which of the edges these are.
 pub(super) fn triangulate_constrained(
     points: &[Point],
@@ -107,6 +153,18 @@ fn insert<M: Triangulation<Vertex = Point2<f64>>>(
     watch: Watch<'_>,
 ) -> Result<M> {
     let mut mesh = M::with_capacity(points.len(), 3 * points.len(), 2 * points.len());
+    insert_into(&mut mesh, points, sequence, near, watch)?;
+    Ok(mesh)
+}
+
+fn insert_into<M: Triangulation<Vertex = Point2<f64>>>(
+    mesh: &mut M,
+    points: &[Point],
+    sequence: &[u32],
+    near: &[u32],
+    watch: Watch<'_>,
+) -> Result<()> {
+    let before = mesh.num_vertices();
     let mut vertex_of = vec![0_u32; points.len()];
     for (step, &i) in sequence.iter().enumerate() {
         watch.poll_at(step)?;
@@ -115,10 +173,10 @@ fn insert<M: Triangulation<Vertex = Point2<f64>>>(
         let hint = FixedVertexHandle::from_index(vertex_of[near[i as usize] as usize] as usize);
         mesh.insert_with_hint(Point2::new(x, y), hint)
             .map_err(|_| Error::Internal("a prepared coordinate was refused by the triangulation"))?;
-        vertex_of[i as usize] = step as u32;
+        vertex_of[i as usize] = (before + step) as u32;
     }
-    if mesh.num_vertices() == points.len() {
-        Ok(mesh)
+    if mesh.num_vertices() == before + points.len() {
+        Ok(())
     } else {
         Err(Error::Internal("distinct points were merged by the triangulation"))
     }

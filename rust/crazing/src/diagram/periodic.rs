@@ -1,4 +1,4 @@
-//! Diagrams on a torus: sites with a halo of their copies in the plane, as wide as the empty circles reach.
+//! Diagrams on a torus: sites with a halo of their copies in the plane, and what empty circles reach beyond it.
 //!
 //! Copies are exact. Sites and period are rounded to a unit of 2^-51 of the period, so that a site plus or minus a
 //! period is a floating-point number, and every predicate has the same sign for all copies of its sites.
@@ -8,9 +8,9 @@
 //! it held any copy of a site it would hold the one nearest to its centre along each axis, which is among the 3 x 3.
 
 use super::build::{check_points, merge};
-use super::delaunay::{Topology, triangulate};
+use super::delaunay::{Growing, Topology};
 use super::scale::Scale;
-use super::torus::Cover;
+use super::torus::{Cover, Shift};
 use super::{Diagram, ties};
 use crate::error::{Error, Result};
 use crate::graph::Point;
@@ -34,7 +34,7 @@ pub struct PeriodicDiagram {
 const MOST_OBLONG: f64 = 4_294_967_296.0;
 
 /// Copies in the first halo, in roots of the number of sites: of uniform sites a rim 6 spacings wide. Where an empty
-/// circle reaches over it, the halo grows.
+/// circle reaches over it, what it may hold is added.
 const RIM: f64 = 24.0;
 
 /// The Delaunay triangulation and Voronoi diagram of `points` repeated with `period`.
@@ -55,13 +55,30 @@ pub fn periodic(points: &[Point], period: Point, watch: Watch<'_>) -> Result<Per
         return Ok(PeriodicDiagram::default());
     }
     let mut halo = first_halo(&rows, &cell);
-    loop {
-        let cover = cover(&rows, &cell, halo, watch)?;
-        match wider(&cover, &cell, halo) {
-            Some(more) => halo = more,
-            None => return cover.restrict(&rows, &cell),
+    let (mut cover, mut mesh) = match cover(&rows, &cell, halo, watch)? {
+        (cover, Some(mesh)) => (cover, mesh),
+        // All on one line: copies on all sides are not.
+        _ => {
+            halo = cell.period;
+            let (cover, mesh) = self::cover(&rows, &cell, halo, watch)?;
+            (cover, mesh.ok_or(Error::Internal("copies all around on one line"))?)
         }
+    };
+    let is_full = halo == cell.period;
+    // A site on the hull has no triangles all around it.
+    let mut is_whole = is_full || !mesh.hull().any(|i| cover.is_home(i as i32));
+    if is_whole {
+        read(&mut cover, &mesh, watch)?;
+        is_whole = is_full || !reaches(&cover, &cell, halo);
     }
+    if !is_whole {
+        cover.complete(&mut mesh, &cell, halo, watch)?;
+        read(&mut cover, &mesh, watch)?;
+    }
+    drop(mesh);
+    // Triangles of one polygon have one centre, so that of each is still its own.
+    cover.coincident = ties::settle(&mut cover.topology, &cover.at, &cover.centres);
+    cover.restrict(&rows, &cell)
 }
 
 /// A period, in the user's units and in those of exact work.
@@ -108,7 +125,7 @@ impl Cell {
         let given = [0, 1].map(|i| wrapped(p[i], self.given[i]));
         let scaled = self.scale.down(given);
         for i in 0..2 {
-            let at = (scaled[i] / self.unit[i]).round() * self.unit[i];
+            let at = rounded(scaled[i] / self.unit[i]) * self.unit[i];
             // What rounds to the far side is the near one.
             let inside = at < self.period[i];
             row.at[i] = if inside { at } else { 0.0 };
@@ -116,6 +133,25 @@ impl Cell {
         }
         row
     }
+
+    pub(super) fn moved(&self, p: Point, shift: Shift) -> Point {
+        [0, 1].map(|i| p[i] + f64::from(shift[i]) * self.period[i])
+    }
+
+    /// Whether a point moved by `shift` along one axis lies in the halo or the cell.
+    pub(super) fn is_within(&self, p: Point, axis: usize, shift: i8, halo: Halo) -> bool {
+        match shift {
+            0 => true,
+            1 => p[axis] <= halo[axis],
+            _ => p[axis] >= self.period[axis] - halo[axis],
+        }
+    }
+}
+
+/// `f64::round` of a number from 0 to 2^52, which many processors have no instruction for.
+fn rounded(x: f64) -> f64 {
+    let whole = x as u64 as f64;
+    if x - whole >= 0.5 { whole + 1.0 } else { whole }
 }
 
 /// `x` moved by whole periods into [0, side).
@@ -128,7 +164,7 @@ fn wrapped(x: f64, side: f64) -> f64 {
 }
 
 /// How far from the cell copies are made, along each axis; at most a period.
-type Halo = Point;
+pub(super) type Halo = Point;
 
 fn first_halo(rows: &[Row], cell: &Cell) -> Halo {
     let copies = (RIM * (rows.len() as f64).sqrt()) as usize;
@@ -142,8 +178,8 @@ fn first_halo(rows: &[Row], cell: &Cell) -> Halo {
     cell.period.map(|side| if depth < side / 2.0 { depth } else { side })
 }
 
-/// Points with their copies in the halo, triangulated.
-fn cover(rows: &[Row], cell: &Cell, halo: Halo, watch: Watch<'_>) -> Result<Cover> {
+/// Points with their copies in the halo, triangulated unless all lie on one line.
+fn cover(rows: &[Row], cell: &Cell, halo: Halo, watch: Watch<'_>) -> Result<(Cover, Option<Growing>)> {
     let (points, copies) = copies(rows, cell, halo);
     check_points(&points)?;
     let merged = merge(points);
@@ -156,11 +192,14 @@ fn cover(rows: &[Row], cell: &Cell, halo: Halo, watch: Watch<'_>) -> Result<Cove
         origin[merged.site_of[rows.len() + i] as usize] = (merged.site_of[row as usize], shift);
     }
     let (site, shift): (Vec<i32>, Vec<[i8; 2]>) = merged.curve.iter().map(|&i| origin[i as usize]).unzip();
-    let mut topology = triangulate(&merged.along, watch)?;
-    let centres = centres(&topology, &merged.along);
-    // Triangles of one polygon have one centre, so that of each is still its own.
-    ties::settle(&mut topology, &merged.along, &centres);
-    Ok(Cover { site_of: merged.site_of, at: merged.along, site, shift, topology, centres })
+    let mesh = Growing::of(&merged.along, watch)?;
+    Ok((Cover { site_of: merged.site_of, at: merged.along, site, shift, ..Cover::default() }, mesh))
+}
+
+fn read(cover: &mut Cover, mesh: &Growing, watch: Watch<'_>) -> Result<()> {
+    cover.topology = mesh.read(watch)?;
+    cover.centres = centres(&cover.topology, &cover.at);
+    Ok(())
 }
 
 fn centres(topology: &Topology, at: &[Point]) -> Vec<Point> {
@@ -175,15 +214,13 @@ fn copies(rows: &[Row], cell: &Cell, halo: Halo) -> (Vec<Point>, Vec<(u32, [i8; 
     let mut points: Vec<Point> = Vec::with_capacity(rows.len() + rows.len() / 8);
     points.extend(rows.iter().map(|row| row.at));
     let mut copies = Vec::new();
-    let within = |x: f64, i: usize, shift: i8| match shift {
-        0 => true,
-        1 => x <= halo[i],
-        _ => x >= cell.period[i] - halo[i],
-    };
     for (number, row) in rows.iter().enumerate() {
-        for a in (-1..=1).filter(|&a| within(row.at[0], 0, a)) {
-            for b in (-1..=1).filter(|&b| (a, b) != (0, 0) && within(row.at[1], 1, b)) {
-                points.push([row.at[0] + f64::from(a) * cell.period[0], row.at[1] + f64::from(b) * cell.period[1]]);
+        if (0..2).all(|i| row.at[i] > halo[i] && row.at[i] < cell.period[i] - halo[i]) {
+            continue;
+        }
+        for a in (-1..=1).filter(|&a| cell.is_within(row.at, 0, a, halo)) {
+            for b in (-1..=1).filter(|&b| (a, b) != (0, 0) && cell.is_within(row.at, 1, b, halo)) {
+                points.push(cell.moved(row.at, [a, b]));
                 copies.push((number as u32, [a, b]));
             }
         }
@@ -191,18 +228,8 @@ fn copies(rows: &[Row], cell: &Cell, halo: Halo) -> (Vec<Point>, Vec<(u32, [i8; 
     (points, copies)
 }
 
-/// A halo that is wide enough, unless this one is: every circle about a triangle of the cell must lie in it. More
-/// sites make empty circles smaller, never larger, so the second halo is the last.
-fn wider(cover: &Cover, cell: &Cell, halo: Halo) -> Option<Halo> {
-    let is_full = [0, 1].map(|i| halo[i] >= cell.period[i]);
-    if is_full == [true; 2] {
-        return None;
-    }
+/// Whether a circle about a triangle at the cell reaches over the halo, where it may hold copies that are not there.
+fn reaches(cover: &Cover, cell: &Cell, halo: Halo) -> bool {
     let reach = cover.reach(cell.period);
-    let grown = [0, 1].map(|i| match 1.01 * reach[i] {
-        _ if reach[i] <= halo[i] || is_full[i] => halo[i],
-        more if more < cell.period[i] / 2.0 => more,
-        _ => cell.period[i],
-    });
-    (grown != halo).then_some(grown)
+    (0..2).any(|i| reach[i] > halo[i] && halo[i] < cell.period[i])
 }

@@ -11,16 +11,18 @@ use crate::predicates::in_circle;
 /// Cuts every polygon of cocircular sites into a fan about its lowest corner, by x and then y: a choice that does not
 /// change when the polygon is moved.
 ///
-/// `centres` are the circumcentres of the triangles: where they differ much there is no need of an exact sign.
-pub(super) fn settle(topology: &mut Topology, points: &[Point], centres: &[Point]) {
+/// `centres` are the circumcentres of the triangles: where they differ much there is no need of an exact sign. Whether
+/// any of neighbours coincide.
+pub(super) fn settle(topology: &mut Topology, points: &[Point], centres: &[Point]) -> bool {
     let near = |k: usize| match topology.dual_edges[k] {
         [-1, _] | [_, -1] => false,
         [r, s] => coincide(centres[r as usize], centres[s as usize], points[topology.edges[k][0] as usize]),
     };
-    let tied = parallel::map(topology.edges.len(), |k| near(k) && is_tied(topology, points, k));
-    let seeds: Vec<usize> = (0..tied.len()).filter(|&k| tied[k]).collect();
+    let Some(first) = parallel::first(topology.edges.len(), near) else { return false };
+    let tied = parallel::map(topology.edges.len() - first, |k| near(first + k) && is_tied(topology, points, first + k));
+    let seeds: Vec<usize> = (first..topology.edges.len()).filter(|&k| tied[k - first]).collect();
     if seeds.is_empty() {
-        return;
+        return true;
     }
     let edges_of = edges_of(topology);
     let mut seen = vec![false; topology.triangles.len()];
@@ -31,6 +33,7 @@ pub(super) fn settle(topology: &mut Topology, points: &[Point], centres: &[Point
             polygon.fan(topology, points);
         }
     }
+    true
 }
 
 /// Whether the two triangles at an edge have one circumcircle.

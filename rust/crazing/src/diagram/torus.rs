@@ -9,9 +9,10 @@ use crate::graph::Point;
 use crate::parallel;
 use crate::sets::DisjointSets;
 
-type Shift = [i8; 2];
+pub(super) type Shift = [i8; 2];
 
 /// Sites of the cell and copies about it, along a curve, and their triangulation in the plane.
+#[derive(Default)]
 pub(super) struct Cover {
     /// The site of every row.
     pub(super) site_of: Vec<i32>,
@@ -22,40 +23,48 @@ pub(super) struct Cover {
     pub(super) topology: Topology,
     /// Circumcentres of the triangles.
     pub(super) centres: Vec<Point>,
+    /// Whether any two of neighbours coincide.
+    pub(super) coincident: bool,
+}
+
+/// Triangles that one thread takes at a time.
+const RUN: usize = 1 << 12;
+
+/// The radius of a circle through a point, grown by far more than the rounding of its centre.
+pub(super) fn circle(centre: Point, through: Point) -> f64 {
+    let (x, y) = (centre[0] - through[0], centre[1] - through[1]);
+    (1.0 + 1e-9) * (x * x + y * y).sqrt()
+}
+
+/// How far a circle reaches out of a cell along each axis.
+pub(super) fn out_of(period: Point, centre: Point, radius: f64) -> Point {
+    [0, 1].map(|i| match (radius - centre[i]).max(centre[i] + radius - period[i]) {
+        // A centre that is no number reaches anywhere.
+        out if out.is_nan() => f64::INFINITY,
+        out => out,
+    })
 }
 
 /// A triangle whatever the copy: its sites from the lowest corner on, and where two of them are seen from it.
 type Name = ([i32; 3], [Shift; 2]);
 
 impl Cover {
-    fn is_home(&self, i: i32) -> bool {
+    pub(super) fn is_home(&self, i: i32) -> bool {
         self.shift[i as usize] == [0, 0]
     }
 
-    /// How far the circles about the triangles at sites of the cell reach out of it; infinite when a site has no
-    /// triangles all around it.
+    /// How far the circles about the triangles at sites of the cell reach out of it.
     pub(super) fn reach(&self, period: Point) -> Point {
-        let Topology { triangles, edges, dual_edges } = &self.topology;
-        let is_open =
-            |(ends, sides): (&[i32; 2], &[i32; 2])| sides.contains(&-1) && ends.iter().any(|&i| self.is_home(i));
-        if triangles.is_empty() || edges.iter().zip(dual_edges).any(is_open) {
-            return [f64::INFINITY; 2];
-        }
-        let mut reach = [0.0_f64; 2];
-        for (corners, centre) in triangles.iter().zip(&self.centres) {
-            if corners.iter().any(|&i| self.is_home(i)) {
-                let corner = self.at[corners[0] as usize];
-                // Grown by far more than the rounding of the centre.
-                let (x, y) = (centre[0] - corner[0], centre[1] - corner[1]);
-                let radius = (1.0 + 1e-9) * (x * x + y * y).sqrt();
-                for i in 0..2 {
-                    let out = (radius - centre[i]).max(centre[i] + radius - period[i]);
-                    // A centre that is no number reaches anywhere.
-                    reach[i] = if out.is_nan() { f64::INFINITY } else { reach[i].max(out) };
-                }
-            }
-        }
-        reach
+        let triangles = &self.topology.triangles;
+        let farther = |reach: Point, other: Point| [reach[0].max(other[0]), reach[1].max(other[1])];
+        let of_run = |run: usize| {
+            let end = triangles.len().min((run + 1) * RUN);
+            (run * RUN..end)
+                .filter(|&t| triangles[t].iter().any(|&i| self.is_home(i)))
+                .map(|t| out_of(period, self.centres[t], circle(self.centres[t], self.at[triangles[t][0] as usize])))
+                .fold([0.0; 2], farther)
+        };
+        parallel::map_slow(triangles.len().div_ceil(RUN), of_run).into_iter().fold([0.0; 2], farther)
     }
 
     /// Of the copies of a triangle or edge, the one whose lowest corner is in the cell stands for all.
@@ -68,6 +77,11 @@ impl Cover {
             }
         }
         lowest
+    }
+
+    /// Whether a triangle or edge stands for all its copies.
+    fn stands<const N: usize>(&self, corners: [i32; N]) -> bool {
+        corners.iter().all(|&i| self.is_home(i)) || self.is_home(corners[self.lowest(corners)])
     }
 
     fn name(&self, t: i32) -> Name {
@@ -94,13 +108,15 @@ impl Cover {
         torus.dual_shifts.reserve_exact(edges.len());
         for k in 0..edges.len() {
             let (ends, sides) = (edges[k], dual_edges[k]);
-            if self.is_home(ends[self.lowest(ends)]) {
+            if self.stands(ends) {
                 let dual = [kept.number(&self, sides[0])?, kept.number(&self, sides[1])?];
                 let turns = [0, 1].map(|i| self.turns(sides[i], vertices[dual[i] as usize], cell.period));
-                torus.shifts.push(minus(self.shift[ends[1] as usize], self.shift[ends[0] as usize]));
-                torus.dual_shifts.push(minus(turns[1], turns[0]));
-                edges[count] = ends.map(|i| self.site[i as usize]);
-                dual_edges[count] = dual;
+                let shift = minus(self.shift[ends[1] as usize], self.shift[ends[0] as usize]);
+                let row = (ends.map(|i| self.site[i as usize]), dual, shift, minus(turns[1], turns[0]));
+                let (shift, dual_shift);
+                (edges[count], dual_edges[count], shift, dual_shift) = upward(row);
+                torus.shifts.push(shift);
+                torus.dual_shifts.push(dual_shift);
                 count += 1;
             }
         }
@@ -113,7 +129,6 @@ impl Cover {
         triangles.truncate(kept.rows.len());
         torus.diagram = Diagram { triangles, edges, dual_edges, ..Diagram::default() };
         place(&mut torus.diagram, vertices, rows, self.site_of, cell);
-        orient(&mut torus);
         let Diagram { sites, triangles, edges, .. } = &torus.diagram;
         let whole = sites.len() + triangles.len() == edges.len();
         if whole { Ok(torus) } else { Err(Error::Internal("a torus with holes")) }
@@ -121,9 +136,16 @@ impl Cover {
 
     /// Circumcentres moved into the cell. Coincident ones of neighbours are equal.
     fn vertices(&self, kept: &Kept, cell: &Cell) -> Result<Vec<Point>> {
-        let wrap = |c: f64, side: f64| (c - (c / side).floor() * side).clamp(0.0, side.next_down());
+        let wrap = |c: f64, side: f64| match c {
+            // Adding zero turns -0.0 into 0.0.
+            _ if (0.0..side).contains(&c) => c + 0.0,
+            _ => (c - (c / side).floor() * side).clamp(0.0, side.next_down()),
+        };
         let moved = |c: Point| [wrap(c[0], cell.period[0]), wrap(c[1], cell.period[1])];
-        let mut vertices: Vec<Point> = kept.rows.iter().map(|&t| moved(self.centres[t as usize])).collect();
+        let mut vertices = parallel::map(kept.rows.len(), |row| moved(self.centres[kept.rows[row] as usize]));
+        if !self.coincident {
+            return Ok(vertices);
+        }
         let Topology { edges, dual_edges, .. } = &self.topology;
         let coincident = |k: usize| match dual_edges[k] {
             [-1, _] | [_, -1] => false,
@@ -131,7 +153,7 @@ impl Cover {
         };
         if let Some(first) = parallel::first(edges.len(), coincident) {
             let mut sets = DisjointSets::new(vertices.len());
-            for k in (first..edges.len()).filter(|&k| coincident(k) && self.is_home(edges[k][self.lowest(edges[k])])) {
+            for k in (first..edges.len()).filter(|&k| coincident(k) && self.stands(edges[k])) {
                 let dual = [kept.number(self, dual_edges[k][0])?, kept.number(self, dual_edges[k][1])?];
                 sets.unite(dual[0] as usize, dual[1] as usize);
             }
@@ -145,6 +167,9 @@ impl Cover {
     /// Periods between the centre of a triangle as it lies in the plane and its vertex.
     fn turns(&self, t: i32, vertex: Point, period: Point) -> Shift {
         let centre = self.centres[t as usize];
+        if centre == vertex {
+            return [0, 0];
+        }
         [0, 1].map(|i| ((centre[i] - vertex[i]) / period[i]).round() as i8)
     }
 }
@@ -168,17 +193,16 @@ fn place(diagram: &mut Diagram, vertices: Vec<Point>, rows: &[Row], mut site_of:
     diagram.vertices = vertices.into_iter().map(up).map(|[x, y]| [inside(x, 0), inside(y, 1)]).collect();
 }
 
+/// Sites, triangles and both shifts of an edge.
+type EdgeRow = ([i32; 2], [i32; 2], Shift, Shift);
+
 /// From the lower site to the higher; between copies of one site rightward, or up.
-fn orient(torus: &mut PeriodicDiagram) {
-    let PeriodicDiagram { diagram, shifts, dual_shifts } = torus;
-    for k in 0..shifts.len() {
-        let [from, to] = diagram.edges[k];
-        if from > to || (from == to && shifts[k] < [0, 0]) {
-            diagram.edges[k].reverse();
-            diagram.dual_edges[k].reverse();
-            shifts[k] = shifts[k].map(|x| -x);
-            dual_shifts[k] = dual_shifts[k].map(|x| -x);
-        }
+fn upward(row: EdgeRow) -> EdgeRow {
+    let ([from, to], [right, left], shift, dual_shift) = row;
+    if from > to || (from == to && shift < [0, 0]) {
+        ([to, from], [left, right], minus([0, 0], shift), minus([0, 0], dual_shift))
+    } else {
+        row
     }
 }
 
@@ -197,7 +221,7 @@ impl Kept {
         let number = Vec::with_capacity(cover.topology.triangles.len());
         let mut kept = Self { rows: Vec::new(), number, by_name: Vec::new() };
         for (t, &corners) in cover.topology.triangles.iter().enumerate() {
-            let is_kept = cover.is_home(corners[cover.lowest(corners)]);
+            let is_kept = cover.stands(corners);
             kept.number.push(if is_kept { kept.rows.len() as i32 } else { -1 });
             if is_kept {
                 if !corners.iter().all(|&i| cover.is_home(i)) {
@@ -212,12 +236,14 @@ impl Kept {
 
     /// The number of the triangle that stands for `t`.
     fn number(&self, cover: &Cover, t: i32) -> Result<i32> {
-        let missing = Error::Internal("a triangle without its copy");
-        let own = self.number.get(t as usize).copied().ok_or(missing.clone())?;
-        if own != -1 {
-            return Ok(own);
+        match self.number.get(t as usize) {
+            Some(-1) => {
+                let name = cover.name(t);
+                let row = self.by_name.binary_search_by_key(&name, |entry| entry.0).ok();
+                row.map(|row| self.by_name[row].1).ok_or(Error::Internal("a triangle without its copy"))
+            }
+            Some(&own) => Ok(own),
+            None => Err(Error::Internal("a triangle without its copy")),
         }
-        let name = cover.name(t);
-        self.by_name.binary_search_by_key(&name, |entry| entry.0).map(|row| self.by_name[row].1).map_err(|_| missing)
     }
 }

@@ -18,9 +18,11 @@ pub(super) fn passages(graph: Neighbours, start: u32, rng: Rng, watch: Watch<'_>
 struct Search {
     graph: Neighbours,
     rng: Rng,
-    visited: Vec<bool>,
-    /// Entries of each cell that were not drawn yet.
-    left: Vec<u32>,
+    /// A bit for every cell: all of them stay in the fastest memory.
+    visited: Vec<u64>,
+    unvisited: usize,
+    /// Where the entries of each cell that were not drawn yet start and end.
+    left: Vec<[u32; 2]>,
     stack: Vec<u32>,
     passages: Vec<Passage>,
 }
@@ -28,14 +30,15 @@ struct Search {
 impl Search {
     fn new(graph: Neighbours, rng: Rng) -> Self {
         let cells = graph.cell_of.len();
-        let left = graph.starts.windows(2).take(cells).map(|pair| pair[1] - pair[0]).collect();
+        let left = graph.starts.windows(2).take(cells).map(|pair| [pair[0], pair[1]]).collect();
         let passages = Vec::with_capacity(cells.saturating_sub(1));
-        Self { graph, rng, visited: vec![false; cells], left, stack: Vec::new(), passages }
+        let visited = vec![0; cells.div_ceil(64)];
+        Self { graph, rng, visited, unvisited: cells, left, stack: Vec::new(), passages }
     }
 
     fn run(mut self, start: u32, watch: Watch<'_>) -> Result<Vec<Passage>> {
-        for root in std::iter::once(start).chain(0..self.visited.len() as u32) {
-            if !self.visited[root as usize] {
+        for root in std::iter::once(start).chain(0..self.left.len() as u32) {
+            if !self.is_visited(root) {
                 self.visit(root);
                 self.explore(watch)?;
             }
@@ -43,14 +46,22 @@ impl Search {
         Ok(self.passages)
     }
 
+    fn is_visited(&self, cell: u32) -> bool {
+        self.visited[cell as usize / 64] >> (cell % 64) & 1 == 1
+    }
+
     fn visit(&mut self, cell: u32) {
-        self.visited[cell as usize] = true;
+        self.visited[cell as usize / 64] |= 1 << (cell % 64);
+        self.unvisited -= 1;
         self.stack.push(cell);
     }
 
     fn explore(&mut self, watch: Watch<'_>) -> Result<()> {
         let mut step = 0;
-        while let Some(&cell) = self.stack.last() {
+        // On the way back from the last cell there is nothing to be found.
+        while self.unvisited > 0
+            && let Some(&cell) = self.stack.last()
+        {
             watch.poll_at(step)?;
             step += 1;
             match self.draw(cell) {
@@ -69,18 +80,16 @@ impl Search {
     /// One of the unvisited neighbours. Entries are drawn without return and those visited passed over, which makes
     /// every unvisited one as likely as the other and looks at each entry once in all.
     fn draw(&mut self, cell: u32) -> Option<[u32; 2]> {
-        let start = self.graph.starts[cell as usize] as usize;
-        let left = &mut self.left[cell as usize];
-        while *left > 0 {
-            let drawn = start + self.rng.below(*left) as usize;
-            *left -= 1;
-            let last = start + *left as usize;
-            self.graph.entries.swap(drawn, last);
-            let entry = self.graph.entries[last];
-            if !self.visited[entry[0] as usize] {
-                return Some(entry);
-            }
+        let [start, mut end] = self.left[cell as usize];
+        let mut found = None;
+        while end > start && found.is_none() {
+            let drawn = start + self.rng.below(end - start);
+            end -= 1;
+            self.graph.entries.swap(drawn as usize, end as usize);
+            let entry = self.graph.entries[end as usize];
+            found = (!self.is_visited(entry[0])).then_some(entry);
         }
-        None
+        self.left[cell as usize][1] = end;
+        found
     }
 }

@@ -7,6 +7,8 @@ mod prim;
 mod way;
 mod wilson;
 
+use std::borrow::Cow;
+
 pub use way::{distances, longest, solve};
 
 use crate::diagram::DiagramView;
@@ -89,7 +91,7 @@ pub fn carve(
     }
     let passages = grow(tree, Neighbours::of(cells, sides, door), start, rng, watch)?;
     let mut open = vec![false; sides.len()];
-    for &(_, door) in &opened(&passages, opening, key) {
+    for &(_, door) in opened(&passages, opening, key).iter() {
         open[door as usize] = true;
     }
     let passages = passages.into_iter().map(|(ends, _)| ends).collect();
@@ -123,16 +125,17 @@ fn grow(tree: Tree, graph: Neighbours, start: usize, rng: Rng, watch: Watch<'_>)
 type Passage = ([i32; 2], u32);
 
 /// `opening` of all passages, drawn without return.
-fn opened(passages: &[Passage], opening: f64, key: Key) -> Vec<Passage> {
-    let mut chosen = passages.to_vec();
+fn opened(passages: &[Passage], opening: f64, key: Key) -> Cow<'_, [Passage]> {
     let wanted = (opening * passages.len() as f64).round() as usize;
-    if wanted < chosen.len() {
-        let mut rng = Rng::new(key, stream::OPENING);
-        for i in 0..wanted {
-            let other = i + rng.below((chosen.len() - i) as u32) as usize;
-            chosen.swap(i, other);
-        }
-        chosen.truncate(wanted);
+    if wanted >= passages.len() {
+        return Cow::Borrowed(passages);
     }
-    chosen
+    let mut chosen = passages.to_vec();
+    let mut rng = Rng::new(key, stream::OPENING);
+    for i in 0..wanted {
+        let other = i + rng.below((chosen.len() - i) as u32) as usize;
+        chosen.swap(i, other);
+    }
+    chosen.truncate(wanted);
+    Cow::Owned(chosen)
 }

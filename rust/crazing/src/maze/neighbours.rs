@@ -20,26 +20,31 @@ impl Neighbours {
         let doors = || (0..sides.len()).filter(|&k| door[k] && !sides[k].contains(&-1));
         let mut cell_of = Vec::with_capacity(cells);
         let mut rank_of = vec![u32::MAX; cells];
-        let mut rank = |cell: i32| {
-            let rank = &mut rank_of[cell as usize];
-            if *rank == u32::MAX {
-                *rank = cell_of.len() as u32;
-                cell_of.push(cell);
-            }
-            *rank as usize
-        };
         let mut starts = vec![0_u32; cells + 2];
-        for cell in doors().flat_map(|k| sides[k]) {
-            starts[rank(cell) + 2] += 1;
+        // Kept, since cells in the user's order are all over the memory: looking their ranks up is most of the work.
+        let mut ranks = Vec::with_capacity(sides.len());
+        for (first, block) in sides.chunks(BLOCK).enumerate().map(|(i, block)| (i * BLOCK, block)) {
+            // Many at once, so that memory is waited for once.
+            let mut seen = [[u32::MAX; 2]; BLOCK];
+            for (seen, ends) in seen.iter_mut().zip(block) {
+                *seen = ends.map(|cell| rank_of.get(cell as usize).copied().unwrap_or(u32::MAX));
+            }
+            for (i, ends) in block.iter().enumerate().filter(|&(i, ends)| door[first + i] && !ends.contains(&-1)) {
+                let ends = [0, 1].map(|side| match seen[i][side] {
+                    u32::MAX => ranked(ends[side], &mut rank_of, &mut cell_of),
+                    rank => rank,
+                });
+                ends.iter().for_each(|&rank| starts[rank as usize + 2] += 1);
+                ranks.push(ends);
+            }
         }
         // Cells without a door come last.
-        (0..cells as i32).for_each(|cell| _ = rank(cell));
+        (0..cells as i32).for_each(|cell| _ = ranked(cell, &mut rank_of, &mut cell_of));
         for i in 2..starts.len() {
             starts[i] += starts[i - 1];
         }
         let mut entries = vec![[0; 2]; starts[cells + 1] as usize];
-        for k in doors() {
-            let [a, b] = sides[k].map(|cell| rank_of[cell as usize]);
+        for (k, [a, b]) in doors().zip(ranks) {
             for (from, to) in [(a, b), (b, a)] {
                 // Counted two places on, filled one place on: what is left at the end are the starts.
                 let place = &mut starts[from as usize + 1];
@@ -58,4 +63,17 @@ impl Neighbours {
     pub(super) fn entries_of(&self, cell: u32) -> &[[u32; 2]] {
         &self.entries[self.starts[cell as usize] as usize..self.starts[cell as usize + 1] as usize]
     }
+}
+
+/// Rows that are looked up together.
+const BLOCK: usize = 32;
+
+/// The rank of a cell, the next one if it has none.
+fn ranked(cell: i32, rank_of: &mut [u32], cell_of: &mut Vec<i32>) -> u32 {
+    let rank = &mut rank_of[cell as usize];
+    if *rank == u32::MAX {
+        *rank = cell_of.len() as u32;
+        cell_of.push(cell);
+    }
+    *rank
 }

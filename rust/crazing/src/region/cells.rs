@@ -20,8 +20,10 @@ pub struct Cells {
     /// The cells on either side of every door; -1 twice where there is none. Door `k` is the first piece of dual edge
     /// `k` inside; then come the further pieces.
     pub sides: Vec<[i32; 2]>,
-    /// The cells along the outer rings, in no order.
+    /// The cells along the outline, in no order.
     pub rim: Vec<i32>,
+    /// Whether each of these is on an outer ring.
+    pub outer: Vec<bool>,
     /// Where the outline enters and leaves each of these: number of a side, and part of it.
     pub arcs: Vec<[f64; 2]>,
 }
@@ -165,10 +167,9 @@ impl Floor<'_> {
                 f64::from(crossing.side) + crossing.at.clamp(0.0, 1.0 - f64::EPSILON)
             };
             let side = self.chains.crossings[chain.from as usize].side;
-            if let Some(&(_, number)) =
-                numbers.iter().find(|(other, _)| *other == set).filter(|_| is_outer[side as usize])
-            {
+            if let Some(&(_, number)) = numbers.iter().find(|(other, _)| *other == set) {
                 cells.rim.push(number);
+                cells.outer.push(is_outer[side as usize]);
                 cells.arcs.push([at(chain.from), at(chain.to)]);
             }
         }

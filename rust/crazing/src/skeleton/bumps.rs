@@ -5,11 +5,10 @@ use std::collections::BinaryHeap;
 
 use super::cost::distance;
 use super::rings::{Line, Rings};
+use super::tree::Tree;
 use crate::diagram::scale::{Scale, largest};
-use crate::diagram::{DiagramView, representatives};
 use crate::error::{Error, Result};
 use crate::graph::Point;
-use crate::incidence::Incidence;
 use crate::watch::Watch;
 
 /// Fewest samples of a ring in which noise can be told from shape.
@@ -110,53 +109,5 @@ impl Rings<'_> {
             let place = if look % 2 == 0 { count / 2 + count % 2 + off } else { (count / 2).saturating_sub(off) };
             distance(centre, self.sites[line[(start + place.min(count)) % line.len()] as usize]) < most
         })
-    }
-}
-
-/// The drawn edges of an axis, by representatives of coincident vertices.
-struct Tree {
-    duals: Vec<[i32; 2]>,
-    about: Incidence,
-    degrees: Vec<u32>,
-    kept: Vec<bool>,
-}
-
-impl Tree {
-    fn of(view: DiagramView<'_>, axis: &[bool]) -> Self {
-        let representative = representatives(view);
-        // What is not drawn, for it is not kept, infinite or without length, has no ends.
-        let drawn = |(&dual, &kept): (&[i32; 2], &bool)| {
-            let ends = dual.map(|t| if t == -1 { -1 } else { representative[t as usize] });
-            if kept && !ends.contains(&-1) && ends[0] != ends[1] { ends } else { [-1; 2] }
-        };
-        let duals: Vec<[i32; 2]> = view.dual_edges.iter().zip(axis).map(drawn).collect();
-        let about = Incidence::of(view.vertices.len(), &duals);
-        let degrees = (0..view.vertices.len()).map(|v| about.at(v).len() as u32).collect();
-        Self { duals, about, degrees, kept: axis.to_vec() }
-    }
-
-    fn is_tip(&self, v: i32) -> bool {
-        v != -1 && self.degrees[v as usize] == 1
-    }
-
-    fn tips(&self) -> impl Iterator<Item = u32> {
-        (0..self.duals.len() as u32).filter(|&k| self.duals[k as usize].iter().any(|&v| self.is_tip(v)))
-    }
-
-    /// The end of a tip's edge that hangs on the rest.
-    fn inner(&self, k: u32) -> usize {
-        let [a, b] = self.duals[k as usize];
-        if self.is_tip(a) { b as usize } else { a as usize }
-    }
-
-    fn cut(&mut self, k: u32) {
-        self.kept[k as usize] = false;
-        self.duals[k as usize].iter().for_each(|&v| self.degrees[v as usize] -= 1);
-    }
-
-    /// The last edge at a vertex, if there is only one left.
-    fn next_tip(&self, v: usize) -> Option<u32> {
-        let last = self.about.at(v).iter().copied().find(|&k| self.kept[k as usize]);
-        last.filter(|_| self.degrees[v] == 1)
     }
 }

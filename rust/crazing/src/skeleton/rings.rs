@@ -94,6 +94,11 @@ impl<'a> Rings<'a> {
         Ok(duals.map(|(dual, wall)| !wall && dual.iter().all(|&t| is_inner(t))).collect())
     }
 
+    /// Whether a ring passes between the two ends of each dual edge: by a masked edge, or over a gap.
+    pub fn walls_between(&self) -> &[bool] {
+        &self.wall
+    }
+
     /// Arc residual of every dual edge: the shorter way along the line between its two sites, as a part of the length
     /// of that line; infinite between two lines.
     ///

@@ -1,0 +1,61 @@
+//! An axis from which tips are cut.
+
+use crate::diagram::{DiagramView, representatives};
+use crate::incidence::Incidence;
+
+/// The drawn edges of an axis, by representatives of coincident vertices. What is not drawn, for it is not kept,
+/// infinite or without length, has no ends, and is no tip.
+pub(super) struct Tree {
+    pub(super) duals: Vec<[i32; 2]>,
+    about: Incidence,
+    degrees: Vec<u32>,
+    pub(super) kept: Vec<bool>,
+}
+
+impl Tree {
+    pub(super) fn of(view: DiagramView<'_>, axis: &[bool]) -> Self {
+        let representative = representatives(view);
+        let drawn = |(&dual, &kept): (&[i32; 2], &bool)| {
+            let ends = dual.map(|t| if t == -1 { -1 } else { representative[t as usize] });
+            if kept && !ends.contains(&-1) && ends[0] != ends[1] { ends } else { [-1; 2] }
+        };
+        let duals: Vec<[i32; 2]> = view.dual_edges.iter().zip(axis).map(drawn).collect();
+        let about = Incidence::of(view.vertices.len(), &duals);
+        let degrees = (0..view.vertices.len()).map(|v| about.at(v).len() as u32).collect();
+        Self { duals, about, degrees, kept: axis.to_vec() }
+    }
+
+    pub(super) fn is_drawn(&self, k: usize) -> bool {
+        self.duals[k][0] != -1
+    }
+
+    fn is_tip(&self, v: i32) -> bool {
+        v != -1 && self.degrees[v as usize] == 1
+    }
+
+    pub(super) fn tips(&self) -> impl Iterator<Item = u32> {
+        (0..self.duals.len() as u32).filter(|&k| self.hangs(k))
+    }
+
+    /// Whether an end of an edge is a tip.
+    pub(super) fn hangs(&self, k: u32) -> bool {
+        self.duals[k as usize].iter().any(|&v| self.is_tip(v))
+    }
+
+    /// The end of a tip's edge that hangs on the rest.
+    pub(super) fn inner(&self, k: u32) -> usize {
+        let [a, b] = self.duals[k as usize];
+        if self.is_tip(a) { b as usize } else { a as usize }
+    }
+
+    pub(super) fn cut(&mut self, k: u32) {
+        self.kept[k as usize] = false;
+        self.duals[k as usize].iter().for_each(|&v| self.degrees[v as usize] -= 1);
+    }
+
+    /// The last edge at a vertex, if there is only one left.
+    pub(super) fn next_tip(&self, v: usize) -> Option<u32> {
+        let last = self.about.at(v).iter().copied().find(|&k| self.kept[k as usize]);
+        last.filter(|_| self.degrees[v] == 1)
+    }
+}
