@@ -106,12 +106,12 @@ impl Search {
 
     /// Fills the first `size` pixels of the page, across and down, with the nearest pieces of the square opened last.
     #[inline(always)]
-    pub(super) fn fill(&mut self, set: &Set, corner: [i64; 2], size: [usize; 2]) {
+    pub(super) fn fill(&mut self, set: &Set, corner: [i64; 2], size: [usize; 2], reach: f32) {
         let Self { page, squares, .. } = self;
         let [x, y] = corner.map(|pixel| pixel * UNIT);
         page.near.clear();
         if page.see(&set.pieces, [x, y]) {
-            squares.solve(page, size);
+            squares.solve(page, size, reach);
         } else {
             page.fill_far(&set.pieces, [x, y], size);
         }
@@ -153,17 +153,18 @@ impl Page {
 }
 
 /// Between the middles of the outermost pixels of a square, corner to corner.
-pub(super) fn diagonal(side: usize) -> f32 {
+fn diagonal(side: usize) -> f32 {
     (side - 1) as f32 * std::f32::consts::SQRT_2
 }
 
 /// How far from the middle of a square a piece may be if it is nearest to a pixel that is nearer to it than `reach`.
-fn limit(best: f32, side: usize, reach: f32) -> f32 {
+#[inline(always)]
+pub(super) fn limit(best: f32, side: usize, reach: f32) -> f32 {
     let (first, second) = (best + diagonal(side), reach + diagonal(side) / 2.0);
     widened(if first < second { first } else { second })
 }
 
 /// A distance with what rounding may have taken from it.
-pub(super) fn widened(distance: f32) -> f32 {
+fn widened(distance: f32) -> f32 {
     distance + SLACK.0 + SLACK.1 * distance.abs()
 }

@@ -93,7 +93,8 @@ impl WithSimd for Draw<'_, '_, '_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        self.search.fill(self.set, self.part.corner, [self.part.width, self.part.height]);
+        let Part { corner, width, height, .. } = self.part;
+        self.search.fill(self.set, corner, [width, height], self.scene.reach);
         self.scene.finish(self.set, &self.search.page, self.part, self.rows, self.maps);
     }
 }

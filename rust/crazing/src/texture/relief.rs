@@ -58,7 +58,7 @@ impl Scene<'_> {
                 continue;
             }
             let first = nth * LANES;
-            self.find(row, first, &mut ground);
+            find(row, first, &mut ground, normal.is_some());
             self.chip(first, rows, &mut ground);
             self.raise(row, first, rows, &mut ground);
             self.stand(&ground, &mut relief, sky.is_some(), normal.is_some());
@@ -75,45 +75,6 @@ impl Scene<'_> {
                     *out = if near(lane) { [x[lane], y[lane], z[lane]] } else { *out };
                 }
             }
-        }
-    }
-
-    /// The nearest discs of some pixels.
-    #[inline(always)]
-    fn find(&self, row: &Row<'_>, first: usize, ground: &mut Ground) {
-        let (mut dx, mut dy) = ([0.0_f32; LANES], [0.0_f32; LANES]);
-        let (mut along, mut length) = ([[0.0_f32; LANES]; 2], [0.0_f32; LANES]);
-        let (mut widths, mut lean) = ([[0.0_f32; LANES]; 2], [0.0_f32; LANES]);
-        for (lane, x) in (first..row.width().min(first + LANES)).enumerate() {
-            let place = (row.code[x] / CODES) as usize;
-            if let Some(near) = row.page.near.get(place) {
-                let middle = |pixel: usize, start: i32| {
-                    ((pixel as i32 * UNIT as i32 + UNIT as i32 / 2).wrapping_sub(start)) as f32 * PART
-                };
-                (dx[lane], dy[lane]) = (middle(x, near.start[0]), middle(row.y, near.start[1]));
-                (along[0][lane], along[1][lane], length[lane]) = (near.along[0], near.along[1], near.length);
-                (widths[0][lane], widths[1][lane], lean[lane]) = (near.radius, near.slope, near.lean);
-            } else if let Some(piece) = row.piece(x) {
-                [dx[lane], dy[lane]] = row.offset(x, piece);
-                (along[0][lane], along[1][lane], length[lane]) = (piece.along[0], piece.along[1], piece.length);
-                (widths[0][lane], widths[1][lane], lean[lane]) = (piece.radius, piece.slope, piece.lean);
-            }
-            ground.distance[lane] = row.distance[x];
-        }
-        for lane in 0..LANES {
-            let [u, v] = [along[0][lane], along[1][lane]];
-            let foot =
-                Foot::new(dx[lane], dy[lane], [u, v], length[lane], [widths[0][lane], widths[1][lane]], lean[lane]);
-            ground.radius[lane] = foot.radius;
-            let inverse = if foot.centre > 0.0 { 1.0 / foot.centre } else { 0.0 };
-            ground.by_place[0][lane] = (foot.ahead * u + foot.side * v) * inverse;
-            ground.by_place[1][lane] = (foot.ahead * v - foot.side * u) * inverse;
-            // The radius grows along the piece; beyond its ends the nearest disc stays the same.
-            let between = (foot.s > 0.0) & (foot.s < length[lane]);
-            let grows = if between { widths[1][lane] } else { 0.0 };
-            let lean = if foot.side < 0.0 { -lean[lane] } else { lean[lane] };
-            ground.grows[0][lane] = grows * (u + lean * v);
-            ground.grows[1][lane] = grows * (v - lean * u);
         }
     }
 
@@ -205,5 +166,46 @@ impl Scene<'_> {
 fn put(out: &mut [f32], values: &Lanes, near: impl Fn(usize) -> bool) {
     for (lane, out) in out.iter_mut().enumerate() {
         *out = if near(lane) { values[lane] } else { *out };
+    }
+}
+
+/// The nearest discs of some pixels; how they change only where that is wanted.
+#[inline(always)]
+fn find(row: &Row<'_>, first: usize, ground: &mut Ground, slopes: bool) {
+    let (mut dx, mut dy) = ([0.0_f32; LANES], [0.0_f32; LANES]);
+    let (mut along, mut length) = ([[0.0_f32; LANES]; 2], [0.0_f32; LANES]);
+    let (mut widths, mut lean) = ([[0.0_f32; LANES]; 2], [0.0_f32; LANES]);
+    for (lane, x) in (first..row.width().min(first + LANES)).enumerate() {
+        let place = (row.code[x] / CODES) as usize;
+        if let Some(near) = row.page.near.get(place) {
+            let middle = |pixel: usize, start: i32| {
+                ((pixel as i32 * UNIT as i32 + UNIT as i32 / 2).wrapping_sub(start)) as f32 * PART
+            };
+            (dx[lane], dy[lane]) = (middle(x, near.start[0]), middle(row.y, near.start[1]));
+            (along[0][lane], along[1][lane], length[lane]) = (near.along[0], near.along[1], near.length);
+            (widths[0][lane], widths[1][lane], lean[lane]) = (near.radius, near.slope, near.lean);
+        } else if let Some(piece) = row.piece(x) {
+            [dx[lane], dy[lane]] = row.offset(x, piece);
+            (along[0][lane], along[1][lane], length[lane]) = (piece.along[0], piece.along[1], piece.length);
+            (widths[0][lane], widths[1][lane], lean[lane]) = (piece.radius, piece.slope, piece.lean);
+        }
+        ground.distance[lane] = row.distance[x];
+    }
+    for lane in 0..LANES {
+        let [u, v] = [along[0][lane], along[1][lane]];
+        let foot = Foot::new(dx[lane], dy[lane], [u, v], length[lane], [widths[0][lane], widths[1][lane]], lean[lane]);
+        ground.radius[lane] = foot.radius;
+        if !slopes {
+            continue;
+        }
+        let inverse = if foot.centre > 0.0 { 1.0 / foot.centre } else { 0.0 };
+        ground.by_place[0][lane] = (foot.ahead * u + foot.side * v) * inverse;
+        ground.by_place[1][lane] = (foot.ahead * v - foot.side * u) * inverse;
+        // The radius grows along the piece; beyond its ends the nearest disc stays the same.
+        let between = (foot.s > 0.0) & (foot.s < length[lane]);
+        let grows = if between { widths[1][lane] } else { 0.0 };
+        let lean = if foot.side < 0.0 { -lean[lane] } else { lean[lane] };
+        ground.grows[0][lane] = grows * (u + lean * v);
+        ground.grows[1][lane] = grows * (v - lean * u);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::grid::{PART, UNIT};
 use super::near::{CODES, Near};
-use super::nearest::{PAGE, Page, diagonal, widened};
+use super::nearest::{PAGE, Page, limit};
 
 /// Parts of a square along each side.
 const PARTS: usize = 4;
@@ -33,14 +33,14 @@ pub(super) struct Squares {
 }
 
 impl Squares {
-    /// Solves the first `size` pixels of a page, across and down.
+    /// Solves the first `size` pixels of a page, across and down, as far as they are nearer to the crack than `reach`.
     #[inline(always)]
-    pub(super) fn solve(&mut self, page: &mut Page, size: [usize; 2]) {
+    pub(super) fn solve(&mut self, page: &mut Page, size: [usize; 2], reach: f32) {
         let Self { all, blocks, quads } = self;
         all.clear();
         all.extend(0..page.near.len() as u32);
         if all.len() > SHORT {
-            blocks.spread(&page.near, all, [0; 2], BLOCK);
+            blocks.spread(&page.near, all, [0; 2], BLOCK, reach);
         }
         for (nth, list) in blocks.lists.iter().enumerate() {
             let corner = [nth % PARTS * BLOCK, nth / PARTS * BLOCK];
@@ -49,7 +49,7 @@ impl Squares {
             }
             let list = if all.len() > SHORT { list } else { &*all };
             if list.len() > SHORT {
-                quads.spread(&page.near, list, corner, QUAD);
+                quads.spread(&page.near, list, corner, QUAD, reach);
             }
             for (nth, quad) in quads.lists.iter().enumerate() {
                 let list = if list.len() > SHORT { quad } else { list };
@@ -62,7 +62,7 @@ impl Squares {
 impl Spread {
     /// Lists for every part of a square, `side` pixels wide each, which candidates may be nearest in it.
     #[inline(always)]
-    fn spread(&mut self, near: &[Near], list: &[u32], corner: [usize; 2], side: usize) {
+    fn spread(&mut self, near: &[Near], list: &[u32], corner: [usize; 2], side: usize, reach: f32) {
         let step = side as i32 * UNIT as i32;
         let [x, y] = corner.map(|pixel| pixel as i32 * UNIT as i32 + step / 2);
         let mut best = [f32::INFINITY; LANES];
@@ -79,7 +79,7 @@ impl Spread {
             }
             self.distances.push(distances);
         }
-        let limits = best.map(|best| widened(best + diagonal(side)));
+        let limits = best.map(|best| limit(best, side, reach));
         self.lists.iter_mut().for_each(Vec::clear);
         for (&place, distances) in list.iter().zip(&self.distances) {
             let mut kept = 0_u32;
