@@ -88,14 +88,25 @@ def test_one_hash_everywhere():
 def test_a_shifted_pattern_is_the_rolled_texture(torus, material, by):
     """Moving the pattern by whole pixels moves every map, bit for bit."""
     size = 128
-    moved = torus.graph.vertices + np.array(by) / size
-    period = np.floor(moved).astype(int)
-    edges = torus.graph.edges
-    shifts = torus.shifts + period[edges[:, 1]] - period[edges[:, 0]]
-    graph = cz.PlanarGraph(moved - period, edges)
-    shifted = dataclasses.replace(torus, graph=graph, shifts=shifts.astype(np.int8))
+    shifted = torus.shifted(*np.array(by) / size)
+    assert ((shifted.graph.vertices >= 0) & (shifted.graph.vertices < 1)).all()
     one, other = (cz.texture(crack, size, maps="all", material=material) for crack in (torus, shifted))
     same({name: np.roll(one[name], (-by[1], by[0]), axis=(0, 1)) for name in one}, other)
+
+
+def test_a_shift_goes_around_the_torus(torus):
+    """Away and back, or by whole periods, nothing has moved; without a period there is nowhere to go."""
+    there = torus.shifted(3 / 8, -5 / 16)
+    back = there.shifted(-3 / 8, 5 / 16)
+    assert (there.shifts != torus.shifts).any()
+    np.testing.assert_array_equal(back.shifts, torus.shifts)
+    np.testing.assert_allclose(back.graph.vertices, torus.graph.vertices, atol=1e-15)
+    assert torus.shifted(2, -1) == torus
+    np.testing.assert_allclose(np.diff(there.segments, axis=1), np.diff(torus.segments, axis=1), atol=1e-15)
+    with pytest.raises(ValueError, match="no period"):
+        cz.crack(n=20, rng=1).shifted(0.5, 0)
+    with pytest.raises(ValueError, match="dx is nan"):
+        torus.shifted(float("nan"), 0)
 
 
 @pytest.mark.parametrize("material", [None, ROUGH])

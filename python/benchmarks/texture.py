@@ -3,7 +3,9 @@
 ``python python/benchmarks/texture.py`` prints, for every size and number of tapered edges, the time of the coverage
 mask and of six maps together (mask, height, normal, distance, cell, strand) on one and on two threads, each over the
 time of every peer that is installed: tapered polygons, and plain lines of one width, anti-aliased, in one 8-bit channel
-where the library has one. Below 1 means that the texture is faster.
+where the library has one. Below 1 means that the texture is faster. Beside these: how much two threads gain, how the
+six maps compare with writing as many bytes, what a picture without cracks takes over that, and the time a pixel at
+several sizes. A library that is not installed is named as such.
 """
 
 from __future__ import annotations
@@ -35,6 +37,9 @@ class Drawing:
         first, second = (across * crack.width[:, [end]] * side / 2 for end in (0, 1))
         corners = [ends[:, 0] + first, ends[:, 1] + second, ends[:, 1] - second, ends[:, 0] - first]
         self.ends = ends.astype(np.float32)
+        beside = across * thickness / 2
+        bars = [ends[:, 0] + beside, ends[:, 1] + beside, ends[:, 1] - beside, ends[:, 0] - beside]
+        self.bars = np.stack(bars, axis=1).astype(np.float32)
         self.polygons = np.stack(corners, axis=1).astype(np.float32)
 
 
@@ -110,6 +115,31 @@ def aggdraw(aggdraw: ModuleType, drawing: Drawing, tapered: bool) -> Callable[[]
     return draw
 
 
+def blend2d(blend2d: ModuleType, drawing: Drawing, tapered: bool) -> Callable[[], object]:
+    """Its binding fills paths and has no strokes: lines are bars. The paths are made beforehand."""
+
+    def path(corners: list[list[float]]) -> object:
+        made = blend2d.Path()
+        made.move_to(*corners[0])
+        for corner in corners[1:]:
+            made.line_to(*corner)
+        made.close()
+        return made
+
+    paths = [path(corners) for corners in (drawing.polygons if tapered else drawing.bars).tolist()]
+
+    def draw() -> object:
+        picture = blend2d.Image(drawing.side, drawing.side)
+        context = blend2d.Context(picture)
+        context.set_fill_style_rgba(255, 255, 255)
+        for part in paths:
+            context.fill_path(part)
+        context.end()
+        return picture
+
+    return draw
+
+
 def pillow(image: ModuleType, drawing: Drawing, tapered: bool) -> Callable[[], object]:
     """Not anti-aliased: it does less."""
     from PIL import ImageDraw
@@ -134,6 +164,7 @@ PEERS = {
     "Cairo": ("cairo", cairo),
     "Skia": ("skia", skia),
     "aggdraw": ("aggdraw", aggdraw),
+    "Blend2D": ("blend2d", blend2d),
     "Pillow, no AA": ("PIL.Image", pillow),
 }
 
@@ -153,6 +184,25 @@ def pattern(edges: int, width: float) -> cz.Crack:
     return cz.crack(n=max(edges * 10 // 24, 3), opening=0.6, width=width, rng=1)
 
 
+def written(side: int, maps: tuple[str, ...] = SIX) -> list[np.ndarray]:
+    """Arrays like those of some maps, each element written once."""
+    like = cz.texture(
+        cz.Crack(cz.PlanarGraph([[0, 0], [1, 1]], [[0, 1]]), [[0, 0]], [0], [0], (0, 0, 1, 1)), 1, maps=maps
+    )
+    return [np.full((side, side, *like[name].shape[2:]), 1, dtype=like[name].dtype) for name in maps]
+
+
+def emptiness(side: int, repeats: int) -> str:
+    """What maps without cracks cost: one edge in a corner."""
+    corner = cz.PlanarGraph([[0.0, 0.0], [0.01, 0.01]], [[0, 1]])
+    crack = cz.Crack(corner, [[0.001, 0.001]], [0], [0], (0, 0, 1, 1))
+    cells = []
+    for maps in (("mask",), ("height",), ("mask", "height", "normal", "strand"), SIX):
+        ours = seconds(lambda maps=maps: cz.texture(crack, side, maps=maps, threads=1), repeats)
+        cells.append(f"{'+'.join(maps)} {ours / seconds(lambda maps=maps: written(side, maps), repeats):.2f}")
+    return f"{side} px without cracks / writing as many bytes: {', '.join(cells)}"
+
+
 def rows(side: int, edges: int, repeats: int) -> list[str]:
     """The lines of the table for one size and number of edges."""
     thickness = max(1, side // 2048)
@@ -165,12 +215,16 @@ def rows(side: int, edges: int, repeats: int) -> list[str]:
     ours = {job: seconds(work, repeats) for job, work in jobs.items()}
     head = f"{side} px, {len(crack.graph.edges)} edges: "
     head += ", ".join(f"{name} on {threads}: {1000 * time:.0f} ms" for (name, threads), time in ours.items())
-    lines = [head]
+    gain = {name: ours[name, 1] / ours[name, 2] for name in ("mask", "six")}
+    memory = seconds(lambda: written(side), repeats)
+    lines = [head, f"  two threads gain: mask {gain['mask']:.2f}, six {gain['six']:.2f}"]
+    lines[1] += f"; six / writing as many bytes {ours['six', 1] / memory:.2f} {ours['six', 2] / memory:.2f}"
     peers = {"tiny-skia, cz.render": (lambda: cz.render(crack, side, threads=1), None)}
     for name, (module, make) in PEERS.items():
         try:
             library = importlib.import_module(module)
         except ImportError:
+            lines.append(f"  {name}: not installed")
             continue
         peers[name] = make(library, drawing, True), make(library, drawing, False)
     for name, (tapered, plain) in peers.items():
@@ -235,7 +289,7 @@ def main() -> None:
         table.extend(lines)
         print(*lines, sep="\n", flush=True)
 
-    show(preview(given.repeats), flatness(given.flat, given.repeats))
+    show(preview(given.repeats), flatness(given.flat, given.repeats), emptiness(given.sides[-1] // 2, given.repeats))
     for side in given.sides:
         for edges in given.edges:
             show(*rows(side, edges, given.repeats))

@@ -141,6 +141,50 @@ class Crack(Record):
             **{name: getattr(self, name)[rows] for name in ("strand", "generation", "parent")},
         )
 
+    def shifted(self, dx: float, dy: float) -> Crack:
+        """The pattern moved on its torus: what leaves on one side comes in on the other.
+
+        Its texture is that of the pattern, rolled: bit for bit in every map, where the shift is a whole number of
+        pixels, and the places of vertices and shift can be added without rounding. Else a vertex may be rounded to
+        another 65536th of a pixel.
+
+        Parameters
+        ----------
+        dx, dy : float
+            To the right and up, data units.
+
+        Returns
+        -------
+        Crack
+
+        Raises
+        ------
+        ValueError
+            If the pattern has no period.
+        TypeError, ValueError
+            If the shift is no finite number.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import crazing as cz
+        >>> c = cz.crack(n=60, period=(1, 1), rng=5)
+        >>> one, other = (cz.texture(pattern, 64)["mask"] for pattern in (c, c.shifted(5 / 64, 2 / 64)))
+        >>> bool((np.roll(one, (-2, 5), axis=(0, 1)) == other).all())
+        True
+        """
+        by = np.array([number(dx, "dx"), number(dy, "dy")])
+        if self.period is None:
+            raise ValueError("the pattern has no period: only on a torus can it be shifted")
+        period, corner = np.asarray(self.period), np.asarray(self.bounds[:2])
+        moved = self.graph.vertices + np.fmod(by, period)
+        away = np.floor((moved - corner) / period).astype(np.int64)
+        # What rounds up to the far side is the near one.
+        away += moved - away * period >= corner + period
+        first, second = self.graph.edges.T
+        shifts = (self.shifts + away[second] - away[first]).astype(np.int8)
+        return replace(self, graph=PlanarGraph(moved - away * period, self.graph.edges), shifts=shifts)
+
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the pattern as a drawing, in data units; an existing file is replaced.
 

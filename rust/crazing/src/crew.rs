@@ -25,6 +25,17 @@ pub(crate) fn size(threads: usize, pieces: usize) -> usize {
     wanted.min(pieces).max(1)
 }
 
+/// Both results, at the same time where there are threads for that.
+pub(crate) fn both<A, B: Send>(threads: usize, a: impl FnOnce() -> A, b: impl FnOnce() -> B + Send) -> (A, B) {
+    if threads < 2 {
+        return (a(), b());
+    }
+    thread::scope(|scope| {
+        let other = scope.spawn(b);
+        (a(), other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+    })
+}
+
 struct Crew<I> {
     pieces: Mutex<I>,
     stop: AtomicBool,

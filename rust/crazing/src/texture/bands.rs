@@ -1,6 +1,6 @@
 //! Which pieces reach into which band of rows.
 
-use super::grid::UNIT;
+use super::grid::{UNIT, Window};
 use super::piece::Piece;
 use crate::error::{Error, Result};
 
@@ -12,9 +12,10 @@ pub(super) struct Bands {
 }
 
 impl Bands {
-    /// Sorts pieces into `count` bands of `rows` rows each, the first of which begins at row `top`.
-    pub(super) fn new(pieces: &[Piece], left: i64, width: usize, top: i64, rows: usize, count: usize) -> Result<Self> {
-        let height = rows as i64 * UNIT;
+    /// Sorts pieces into bands of `rows` rows each of a window.
+    pub(super) fn new(pieces: &[Piece], window: Window, rows: usize) -> Result<Self> {
+        let Window { top, left, height, width } = window;
+        let (count, height) = (height.div_ceil(rows), rows as i64 * UNIT);
         let (left, right) = (left * UNIT, (left + width as i64) * UNIT);
         let span = |piece: &Piece| {
             let region = piece.region();

@@ -4,6 +4,8 @@
 //! nearest disc's centre, with the piece's chord on that line. It is exact for sides along the rows or columns,
 //! and off by at most .043 for oblique ones. Pieces are joined by the largest: joints have no seams, and no order.
 
+use pulp::{Simd, WithSimd};
+
 use super::grid::{PART, UNIT};
 use super::piece::Piece;
 
@@ -16,8 +18,30 @@ const ROUND: f32 = 8_388_608.0;
 /// Pixels to which 32-bit parts of a pixel count.
 const COUNTABLE: f32 = 30_000.0;
 
+/// Rows of `width` pixels that are to be covered by some pieces; the first pixel is at `corner`.
+pub(super) struct Ink<'a> {
+    pub(super) pieces: &'a [Piece],
+    pub(super) ids: &'a [u32],
+    pub(super) corner: [i64; 2],
+    pub(super) width: usize,
+    pub(super) rows: &'a mut [u8],
+}
+
+impl WithSimd for Ink<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.rows.fill(0);
+        for &id in self.ids {
+            ink(&self.pieces[id as usize], self.corner, self.width, self.rows);
+        }
+    }
+}
+
 /// Raises the coverage in rows of `width` pixels, of which the first starts at `corner`, pixels.
-pub(super) fn ink(piece: &Piece, corner: [i64; 2], width: usize, rows: &mut [u8]) {
+#[inline(always)]
+fn ink(piece: &Piece, corner: [i64; 2], width: usize, rows: &mut [u8]) {
     let [left, top, right, bottom] = piece.region();
     let height = (rows.len() / width.max(1)) as i64;
     let from = corner.map(|pixel| pixel * UNIT);
@@ -65,6 +89,7 @@ struct Strip {
 }
 
 impl Strip {
+    #[inline(always)]
     fn new(piece: &Piece, from: [i64; 2], columns: (usize, usize)) -> Self {
         let [u, v] = piece.along.map(f64::from);
         let widest = piece.radius.max(piece.radius + piece.slope * piece.length);

@@ -34,8 +34,13 @@ impl Fans {
         Ok(fans)
     }
 
+    /// The half-edges that leave a vertex.
+    pub(super) fn around(&self, vertex: i32) -> &[u32] {
+        &self.halves[self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize]
+    }
+
     /// The vector of a half-edge.
-    fn leaves(&self, half: u32) -> [f64; 2] {
+    pub(super) fn leaves(&self, half: u32) -> [f64; 2] {
         let step = self.steps[half as usize / 2];
         if half.is_multiple_of(2) { step } else { [-step[0], -step[1]] }
     }
@@ -43,7 +48,7 @@ impl Fans {
     /// The half-edge to whose left a place lies, as seen from a vertex where several edges meet; and from the first end
     /// of its edge to the place.
     pub(super) fn beyond(&self, vertex: i32, place: [f64; 2]) -> Option<(u32, [f64; 2])> {
-        let around = &self.halves[self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize];
+        let around = self.around(vertex);
         if around.len() < 2 {
             return None;
         }

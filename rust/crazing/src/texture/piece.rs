@@ -1,7 +1,7 @@
 //! Edges cut into short tapered pieces on the grid of pixels.
 
 use super::Pattern;
-use super::grid::{Grid, PART, UNIT};
+use super::grid::{Grid, PART, UNIT, round};
 use crate::error::{Error, Result};
 use crate::watch::Watch;
 
@@ -63,7 +63,7 @@ impl Piece {
     pub(super) fn region(&self) -> Region {
         let far = self.radius.max(self.radius + self.slope * self.length) + 1.0;
         let far = (f64::from(far) * UNIT as f64).ceil() as i64;
-        let reach = self.along.map(|part| (f64::from(part) * f64::from(self.length) * UNIT as f64).round() as i64);
+        let reach = self.along.map(|part| round(f64::from(part) * f64::from(self.length) * UNIT as f64));
         let [x, y] = self.start;
         let (p, q) = (x + reach[0], y + reach[1]);
         [x.min(p) - far, y.min(q) - far, x.max(p) + far, y.max(q) + far]
@@ -74,17 +74,6 @@ impl Piece {
     #[inline(always)]
     pub(super) fn offset(&self, x: i64, y: i64) -> [f32; 2] {
         [(x - self.start[0]) as f32 * PART, (y - self.start[1]) as f32 * PART]
-    }
-
-    /// Behind which end of its edge a pixel lies, if behind any: 0 the first, 1 the second.
-    #[inline(always)]
-    pub(super) fn behind(&self, dx: f32, dy: f32) -> Option<usize> {
-        if self.ends == [false; 2] {
-            return None;
-        }
-        let [u, v] = self.along;
-        let s = dx * u + dy * v + self.lean * (dx * v - dy * u).abs();
-        if s <= 0.0 { self.ends[0].then_some(0) } else { (s >= self.length && self.ends[1]).then_some(1) }
     }
 
     /// Signed distance to the piece, pixels.
@@ -100,23 +89,15 @@ impl Piece {
     /// `t + lean |n|`, where the foot of the pixel is at `t` along and `n` beside the line.
     #[inline(always)]
     pub(super) fn foot(&self, dx: f32, dy: f32) -> Foot {
-        let [u, v] = self.along;
-        let t = dx * u + dy * v;
-        let side = dx * v - dy * u;
-        let n = side.abs();
-        let s = t + self.lean * n;
-        let s = if s < 0.0 { 0.0 } else { s };
-        let s = if s > self.length { self.length } else { s };
-        let ahead = t - s;
-        let centre = (ahead * ahead + n * n).sqrt();
-        let radius = self.radius + self.slope * s;
-        Foot { s, ahead, side, centre, radius, distance: centre - radius }
+        Foot::new(dx, dy, self.along, self.length, [self.radius, self.slope], self.lean)
     }
 }
 
 /// A pixel seen from the nearest disc of a piece.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Foot {
+    /// Where the disc would be if the piece had no ends.
+    pub(super) raw: f32,
     /// Where the disc is along the piece.
     pub(super) s: f32,
     /// How far ahead of the disc's centre the pixel is.
@@ -129,6 +110,23 @@ pub(super) struct Foot {
     pub(super) radius: f32,
     /// `centre - radius`.
     pub(super) distance: f32,
+}
+
+impl Foot {
+    /// The foot of a place, from the start of a piece that is known by its numbers.
+    #[inline(always)]
+    pub(super) fn new(dx: f32, dy: f32, [u, v]: [f32; 2], length: f32, widths: [f32; 2], lean: f32) -> Self {
+        let t = dx * u + dy * v;
+        let side = dx * v - dy * u;
+        let n = side.abs();
+        let raw = t + lean * n;
+        let s = if raw < 0.0 { 0.0 } else { raw };
+        let s = if s > length { length } else { s };
+        let ahead = t - s;
+        let centre = (ahead * ahead + n * n).sqrt();
+        let radius = widths[0] + widths[1] * s;
+        Self { raw, s, ahead, side, centre, radius, distance: centre - radius }
+    }
 }
 
 /// The pieces whose discs meet `region`, in the order of their edges; on a torus with all their images in it;
@@ -210,7 +208,7 @@ fn cut(ends: [[i64; 2]; 2], radii: [f64; 2], edge: u32, region: Region, found: &
     let (first, last) = ((first * count).floor() as i64 - 1, (last * count).ceil() as i64 + 1);
     let at = |k: i64| {
         let part = k as f64 / count;
-        let place = [0, 1].map(|axis| start[axis] + (step[axis] * part).round() as i64);
+        let place = [0, 1].map(|axis| start[axis] + round(step[axis] * part));
         (place, radii[0] + (radii[1] - radii[0]) * part)
     };
     let (first, last) = (first.max(0), last.min(count as i64));

@@ -59,56 +59,62 @@ impl Profile {
 
     /// The height at a signed distance from a crack of that radius, where the plate lies `plate` above its usual
     /// level and curls by `curl`.
+    #[inline(always)]
     pub(super) fn at(&self, distance: f32, radius: f32, plate: f32, curl: f32) -> Height {
         let level = self.top + plate;
-        if distance >= 0.0 {
-            let (a, b) =
-                (rest(distance * self.rim_rate, self.rim_rate), rest(distance * self.curl_rate, self.curl_rate));
-            let height = level - self.rim * a * a + curl * b * b;
-            let by_distance = 2.0 * (self.rim * a * self.rim_rate - curl * b * self.curl_rate);
-            return Height { height, by_distance, by_radius: 0.0, by_plate: 1.0 };
-        }
+        // Both without a branch, so that several places are done at a time.
+        let (a, b) = (rest(distance * self.rim_rate, self.rim_rate), rest(distance * self.curl_rate, self.curl_rate));
+        let beside = level - self.rim * a * a + curl * b * b;
+        let beside_by_distance = 2.0 * (self.rim * a * self.rim_rate - curl * b * self.curl_rate);
         let edge = level - self.rim + curl;
         let (share, by_share) = root_of_share(radius * self.widest);
         let bottom = self.top - self.depth * share;
         // Chips reach beyond the middle of thin cracks: there the floor is level.
-        let (u, inverse) = if -distance < radius { (-distance / radius, 1.0 / radius) } else { (1.0, 0.0) };
+        let slanting = -distance < radius;
+        let (u, inverse) = (-distance / radius, 1.0 / radius);
+        let (u, inverse) = (if slanting { u } else { 1.0 }, if slanting { inverse } else { 0.0 });
         let rest = 1.0 - u;
         let rest_cubed = rest * rest * rest;
         let wall = (1.0 - self.roundness) * u + self.roundness * (1.0 - rest_cubed * rest);
         let by_u = (1.0 - self.roundness) + 4.0 * self.roundness * rest_cubed;
         let fall = bottom - edge;
         let by_radius = -self.depth * by_share * self.widest * wall - fall * by_u * u * inverse;
-        Height { height: edge + fall * wall, by_distance: -fall * by_u * inverse, by_radius, by_plate: 1.0 - wall }
+        let outside = distance >= 0.0;
+        Height {
+            height: if outside { beside } else { edge + fall * wall },
+            by_distance: if outside { beside_by_distance } else { -fall * by_u * inverse },
+            by_radius: if outside { 0.0 } else { by_radius },
+            by_plate: if outside { 1.0 } else { 1.0 - wall },
+        }
     }
 
     /// The part of the sky that is seen from a place: that of the middle between two long straight rims.
     ///
     /// A wall that rises by `z` at the distance `x` hides what lies below its rim; the rest, weighted by the cosine,
     /// is `x / hypot(x, z)` on that side.
+    #[inline(always)]
     pub(super) fn sky(&self, distance: f32, radius: f32, height: f32, level: f32) -> f32 {
         let near = self.rim_width - distance;
         let below = (self.top + level - height) * self.relief;
-        if near <= 0.0 || below <= 0.0 {
-            return 1.0;
-        }
         let far = 2.0 * (radius + self.rim_width) - near;
         let seen = |x: f32| x / (x * x + below * below).sqrt();
         let far = if far > near { far } else { near };
-        0.5 * (seen(near) + seen(far))
+        let part = 0.5 * (seen(near) + seen(far));
+        if (near <= 0.0) | (below <= 0.0) { 1.0 } else { part }
     }
 }
 
 /// What is left of 1 after `part`, if anything, and if there is a rate at all.
+#[inline(always)]
 fn rest(part: f32, rate: f32) -> f32 {
-    if part < 1.0 && rate > 0.0 { 1.0 - part } else { 0.0 }
+    if (part < 1.0) & (rate > 0.0) { 1.0 - part } else { 0.0 }
 }
 
 /// How deep a crack of a share of the largest width is: the root of the share; and its derivative.
+#[inline(always)]
 fn root_of_share(share: f32) -> (f32, f32) {
-    if share >= 1.0 {
-        return (1.0, 0.0);
-    }
-    let root = share.max(0.0).sqrt();
-    (root, if root > 0.0 { 0.5 / root } else { 0.0 })
+    let root = if share > 0.0 { share } else { 0.0 }.sqrt();
+    let by_share = if root > 0.0 { 0.5 / root } else { 0.0 };
+    let deep = share >= 1.0;
+    (if deep { 1.0 } else { root }, if deep { 0.0 } else { by_share })
 }

@@ -1,0 +1,148 @@
+//! Maps of labels: the plate of every pixel, and of those on the crack the strand and its generation.
+
+use super::fans::Fans;
+use super::finish::{Row, Rows, behind, stretch};
+use super::grid::{PART, UNIT};
+use super::maps::Maps;
+use super::near::{BEHIND_START, CODES, RIGHT};
+use super::nearest::Page;
+use super::piece::Piece;
+use super::scene::Scene;
+
+/// The plate of a code that was not yet looked at.
+const UNKNOWN: i32 = -1;
+
+/// That of a code whose pixels lie on several plates.
+const SEVERAL: i32 = -2;
+
+/// Pixels looked at together.
+const LANES: usize = 8;
+
+/// Half a pixel around the middle line of an edge's side: what belongs to a crack.
+pub(super) const REACH: f32 = 0.5;
+
+/// How near to a pixel's middle an end of an edge may be, in pixels, and how long a piece, for `f32` to tell on which
+/// side of other edges all pixels behind the end are.
+const BLUR: f32 = 1.0 / 64.0;
+const LONG: f32 = 4096.0;
+
+impl Scene<'_> {
+    /// Forgets the plates of the last page.
+    #[inline(always)]
+    pub(super) fn forget(&self, page: &Page, rows: &mut Rows) {
+        if self.wants.cell {
+            rows.cells.clear();
+            rows.cells.resize(page.ids.len() * CODES as usize, UNKNOWN);
+        }
+    }
+
+    /// Writes the labels of a row.
+    #[inline(always)]
+    pub(super) fn labels(&self, row: &Row<'_>, cells: &mut [i32], maps: &mut Maps<'_>) {
+        if let Some(out) = stretch(&mut maps.cell, row, 1) {
+            self.plates_of(row, cells, out);
+        }
+        let labels = [(&mut maps.strand, self.pattern.strand), (&mut maps.generation, self.pattern.generation)];
+        for (map, label) in labels {
+            let Some(out) = stretch(map, row, 1) else { continue };
+            out.fill(-1);
+            for (nth, distances) in row.distance.chunks(LANES).enumerate() {
+                if !distances.iter().fold(false, |any, &distance| any | (distance < REACH)) {
+                    continue;
+                }
+                for (x, &distance) in (nth * LANES..).zip(distances) {
+                    if distance < REACH {
+                        out[x] = row.piece(x).map_or(-1, |piece| label[piece.edge as usize]);
+                    }
+                }
+            }
+        }
+        if let Some(out) = stretch(&mut maps.direction, row, 2) {
+            for (x, out) in out.as_chunks_mut().0.iter_mut().enumerate() {
+                *out = row.piece(x).map_or([0.0; 2], |piece| [piece.along[0], -piece.along[1]]);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn plates_of(&self, row: &Row<'_>, cells: &mut [i32], out: &mut [i32]) {
+        if cells.is_empty() {
+            return out.fill(0);
+        }
+        for (nth, (out, codes)) in out.chunks_mut(LANES).zip(row.code.chunks(LANES)).enumerate() {
+            let mut least = 0;
+            for (out, &code) in out.iter_mut().zip(codes) {
+                *out = cells[code as usize];
+                least = least.min(*out);
+            }
+            if least < 0 {
+                for (x, out) in (nth * LANES..).zip(out).filter(|(_, out)| **out < 0) {
+                    *out = self.cell(row, x, cells);
+                }
+            }
+        }
+    }
+
+    /// The plate of one pixel; learns that of its code.
+    fn cell(&self, row: &Row<'_>, x: usize, cells: &mut [i32]) -> i32 {
+        let (code, Some(piece)) = (row.code[x], row.piece(x)) else { return 0 };
+        let known = &mut cells[code as usize];
+        if *known == UNKNOWN {
+            *known = self.plate_of_code(code, piece).unwrap_or(SEVERAL);
+        }
+        if *known == SEVERAL { self.plate_of(row, x, piece).0 } else { *known }
+    }
+
+    /// The plate of all pixels of a code, if it is one.
+    fn plate_of_code(&self, code: u32, piece: &Piece) -> Option<i32> {
+        let (edge, right) = (piece.edge as usize, (code & RIGHT) as usize);
+        let beside = Some(self.sides.plates[edge][right]);
+        let (Some(fans), Some(end)) = (&self.fans, behind(code, piece)) else { return beside };
+        let along = if code & BEHIND_START != 0 { 0.0 } else { piece.length };
+        let from_middle = [0, 1].map(|axis| {
+            let part = (piece.start[axis].rem_euclid(UNIT) - UNIT / 2) as f32 * PART + along * piece.along[axis];
+            (part - part.round()).abs()
+        });
+        if piece.length > LONG || from_middle.iter().all(|&part| part < BLUR) {
+            return None;
+        }
+        let half = 2 * piece.edge + end as u32;
+        // Left of the half-edge that leaves the first end is left of the edge; of that which leaves the second, right.
+        let beyond = fans.one_sector(self.pattern.edges[edge][end], half, right == end, piece.lean.abs());
+        let plate = |half: u32| self.sides.plates[half as usize / 2][half as usize % 2];
+        beyond.and_then(|half| half.map_or(beside, |half| Some(plate(half))))
+    }
+}
+
+impl Fans {
+    /// Among the places that lie straight or obliquely beyond an edge's end, on one side of it: the half-edge to whose
+    /// left all of them are, as [`Fans::beyond`] finds it for each; None if they may be apart. No half-edge at all where
+    /// no other edge meets the end.
+    ///
+    /// `own` is the half-edge that leaves the end, and the places are to its left or not; the cone of places is opened
+    /// beyond a right angle by what the edge's taper leans.
+    fn one_sector(&self, vertex: i32, own: u32, left: bool, lean: f32) -> Option<Option<u32>> {
+        const NEAR: f64 = 0.01;
+        let around = self.around(vertex);
+        if around.len() < 2 {
+            return Some(None);
+        }
+        let unit = |[x, y]: [f64; 2]| {
+            let length = (x * x + y * y).sqrt();
+            (length > 0.0).then(|| [x / length, y / length])
+        };
+        let [x, y] = unit(self.leaves(own))?;
+        // Ahead of the end, and across to the side in question.
+        let (ahead, across) = ([-x, -y], if left { [-y, x] } else { [y, -x] });
+        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+        for &half in around.iter().filter(|&&half| half != own) {
+            let other = unit(self.leaves(half))?;
+            let (ahead, across) = (dot(other, ahead), dot(other, across));
+            if across > -NEAR && ahead > -NEAR - f64::from(lean) * across.max(0.0) {
+                return None;
+            }
+        }
+        let amid = [0, 1].map(|axis| ahead[axis] + across[axis]);
+        self.beyond(vertex, amid).map(|(half, _)| Some(half))
+    }
+}

@@ -1,0 +1,201 @@
+//! What is made once for a window, and then read by every thread.
+
+use std::sync::OnceLock;
+
+use pulp::Arch;
+
+use super::around::{self, Cut, LEVELS};
+use super::bands::Bands;
+use super::fans::Fans;
+use super::grid::{Grid, UNIT, Window};
+use super::look::Look;
+use super::maps::Maps;
+use super::material::Material;
+use super::nearest::Set;
+use super::noise::{self, Ground, Noise};
+use super::plates::{self, Plate, Sides};
+use super::profile::Profile;
+use super::{BAND, Pattern, labels};
+use crate::crew;
+use crate::error::Result;
+use crate::rng::Key;
+use crate::watch::Watch;
+
+/// Edges from which on they are sorted by several threads.
+const WORTHWHILE: usize = 1 << 13;
+
+/// What is to be drawn.
+#[derive(Clone, Copy)]
+pub(super) struct Asked<'a> {
+    pub(super) pattern: Pattern<'a>,
+    pub(super) sides: Sides<'a>,
+    pub(super) grid: Grid,
+    pub(super) window: Window,
+    pub(super) key: Key,
+}
+
+/// What the wanted maps depend on.
+#[derive(Clone, Copy)]
+pub(super) struct Wants {
+    pub(super) distance: bool,
+    pub(super) cell: bool,
+    pub(super) profile: bool,
+    pub(super) look: bool,
+    pub(super) mask: bool,
+    direction: bool,
+    labels: bool,
+}
+
+impl Wants {
+    fn new(maps: &Maps<'_>) -> Self {
+        let look = maps.color.is_some() || maps.roughness.is_some() || maps.wear.is_some();
+        Self {
+            distance: maps.distance.is_some(),
+            cell: maps.cell.is_some(),
+            profile: maps.height.is_some() || maps.normal.is_some() || maps.ao.is_some(),
+            look,
+            mask: look || maps.mask.is_some(),
+            direction: maps.direction.is_some(),
+            labels: maps.strand.is_some() || maps.generation.is_some(),
+        }
+    }
+
+    /// Whether the nearest edges are to be found, if only on the crack.
+    pub(super) fn nearest(&self) -> bool {
+        self.everywhere() || self.profile || self.labels
+    }
+
+    /// Whether they are wanted for every pixel.
+    fn everywhere(&self) -> bool {
+        self.look || self.distance || self.cell || self.direction
+    }
+
+    /// Whether it matters which plate a pixel is on.
+    fn plates(&self, material: &Material) -> bool {
+        self.cell || (self.profile && !is_plain(material)) || (self.look && material.tint != 0.0)
+    }
+
+    fn grain(&self, material: &Material) -> bool {
+        let shown = material.speckle != 0.0 || material.roughness_spread != 0.0;
+        (self.profile && material.grain != 0.0) || (self.look && shown)
+    }
+}
+
+/// Whether plates are level and alike.
+fn is_plain(material: &Material) -> bool {
+    [material.grain, material.level, material.tilt, material.curl * material.curl_spread] == [0.0; 4]
+}
+
+/// What every thread reads.
+pub(super) struct Scene<'a> {
+    pub(super) pattern: Pattern<'a>,
+    pub(super) sides: Sides<'a>,
+    pub(super) grid: Grid,
+    pub(super) window: Window,
+    pub(super) near: Set,
+    /// What covers the mask, where it is wanted.
+    pub(super) bands: Option<Bands>,
+    /// Ever more of what lies around, made when what lies nearer is not enough.
+    pub(super) far: [OnceLock<Result<Set>>; LEVELS],
+    pub(super) profile: Profile,
+    pub(super) look: Look,
+    pub(super) plates: Vec<Plate>,
+    /// Where there is more than one plate.
+    pub(super) fans: Option<Fans>,
+    pub(super) grain: Vec<Noise>,
+    pub(super) mottle: Vec<Noise>,
+    pub(super) chip: Vec<Noise>,
+    pub(super) chip_depth: f32,
+    pub(super) grain_height: f32,
+    pub(super) level: f32,
+    pub(super) tilt: f32,
+    pub(super) curl_spread: f32,
+    /// Data units a pixel.
+    pub(super) data: f32,
+    /// Pixels that are no nearer to the crack than this are all alike.
+    pub(super) reach: f32,
+    /// How the processor does several numbers at a time.
+    pub(super) arch: Arch,
+    /// Whether plates are level and alike.
+    pub(super) plain: bool,
+    pub(super) wants: Wants,
+}
+
+impl<'a> Scene<'a> {
+    pub(super) fn new(
+        asked: Asked<'a>,
+        material: &Material,
+        maps: &Maps<'_>,
+        threads: usize,
+        watch: Watch<'_>,
+    ) -> Result<Self> {
+        let Asked { pattern, sides, grid, window, key } = asked;
+        let (wants, plain, profile) = (Wants::new(maps), is_plain(material), Profile::new(material, grid.scale));
+        let ground = Ground { key, period: grid.period, pin: pin(&pattern, &grid)? };
+        let octaves = |on: bool, kind: u64, pitch: f32, count: u64| {
+            if on { noise::octaves(ground, kind, f64::from(pitch) * grid.scale, count) } else { Vec::new() }
+        };
+        let (near, bands, fans) = asked.sort(wants, wants.plates(material), threads, watch)?;
+        Ok(Self {
+            pattern,
+            sides,
+            grid,
+            window,
+            near,
+            bands,
+            far: Default::default(),
+            reach: if wants.everywhere() || !plain { f32::INFINITY } else { profile.reach.max(labels::REACH) },
+            profile,
+            look: Look::new(material, grid.scale),
+            plates: plates::plates(sides.reaches.len(), sides.reaches, key),
+            fans,
+            grain: octaves(wants.grain(material), 0, material.grain_size, 2),
+            mottle: octaves(wants.look, 1, material.mottle_size, 3),
+            chip: octaves(material.chip > 0.0 && (wants.profile || wants.look), 2, material.chip_size, 2),
+            chip_depth: (f64::from(material.chip) * grid.scale) as f32,
+            grain_height: material.grain,
+            level: material.level,
+            tilt: material.tilt,
+            curl_spread: material.curl_spread,
+            data: (1.0 / grid.scale) as f32,
+            plain,
+            arch: Arch::new(),
+            wants,
+        })
+    }
+}
+
+impl Asked<'_> {
+    /// Sorts the edges: into bins, into bands where the mask is wanted, and around their vertices where plates are.
+    fn sort(
+        &self,
+        wants: Wants,
+        plates: bool,
+        threads: usize,
+        watch: Watch<'_>,
+    ) -> Result<(Set, Option<Bands>, Option<Fans>)> {
+        let Self { pattern, sides, grid, window, .. } = self;
+        let several = plates && sides.reaches.len() > 1;
+        // Few edges are not worth waking a thread.
+        let threads = if pattern.edges.len() < WORTHWHILE { 1 } else { threads };
+        let (cut, fans) = crew::both(
+            threads,
+            || around::cut(pattern, grid, *window, 0, watch),
+            || several.then(|| Fans::new(pattern, grid)).transpose(),
+        );
+        let cut: Cut = cut?;
+        let (bins, bands) = crew::both(
+            threads,
+            || cut.bins(wants.nearest()),
+            || wants.mask.then(|| Bands::new(&cut.pieces, *window, BAND)).transpose(),
+        );
+        Ok((Set { bins: bins?, pieces: cut.pieces, whole: cut.whole }, bands?, fans?))
+    }
+}
+
+/// The pixel that noise is pinned to: that of the first edge, so that noise moves with the pattern.
+fn pin(pattern: &Pattern<'_>, grid: &Grid) -> Result<[i64; 2]> {
+    let Some(edge) = pattern.edges.first() else { return Ok([0; 2]) };
+    let vertex = edge[0] as usize;
+    Ok(grid.place(pattern.vertices[vertex], vertex)?.map(|part| part.div_euclid(UNIT)))
+}
