@@ -12,7 +12,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import crazing as cz
-from crazing.edit import front, knobs, wire
+from crazing.edit import front, knobs, previews, wire
 from crazing.edit.session import Message, Session
 from edit_messages import MODES, STAR, asked, good, points_in, raw
 
@@ -88,9 +88,12 @@ def test_knobs_refuse_what_they_do_not_take(panel: str, name: str, value: Any) -
 
 def test_limits_hold() -> None:
     session = Session()
-    for content in ({"kind": "export", "what": "png", "size": 10**6}, {"kind": "layers", "preview": 10**6}):
-        reply = asked(session, **content, mode="crack", buffers=raw(STAR))
-        assert "it must be from" in reply.content["message"]
+    reply = asked(session, "export", raw(STAR), what="png", size=10**6, mode="crack")
+    assert "it must be from" in reply.content["message"]
+    # A preview has a largest size, whatever is wished for.
+    wish = {"scale": 1e9, "view": [-9, -9, 9, 9], "pixels": 10**9}
+    reply = good(session, "layers", raw(STAR), mode="crack", preview=wish, later=True)
+    assert max(reply.content["preview"]["width"], reply.content["preview"]["height"]) <= previews.LARGEST
     values = {"skeleton": {"nested": True, "iterations": 5}}
     crowd = cz.sample.uniform(20_000, rng=1)
     reply = asked(session, "layers", raw(crowd), mode="skeleton", values=values)
@@ -126,6 +129,69 @@ def test_layers_far_from_the_origin_stay_sharp() -> None:
     reply = good(Session(), "layers", raw(far), mode="skeleton", values=values)
     drawn = np.frombuffer(reply.buffers[0], dtype="<f4").reshape(-1, 2, 2).astype(float) + reply.content["origin"]
     assert np.allclose(drawn, cz.diagram(far).delaunay.segments, rtol=0, atol=1e-5)
+
+
+# ---- previews
+
+
+WHOLE = [-9, -9, 9, 9]
+
+
+def test_rows_of_a_preview_are_those_of_the_whole() -> None:
+    for material in ("ink", "mud-mature"):
+        values = {"crack": {"material": material}}
+        asking = {"mode": "crack", "values": values, "preview": {"scale": 90, "view": WHOLE, "pixels": 10**6}}
+        session = Session()
+        later = good(session, "layers", raw(STAR), **asking, later=True)
+        assert len(later.buffers) == 2
+        height = later.content["preview"]["height"]
+        parts = [good(session, "rows", top=top, count=min(40, height - top)) for top in range(0, height, 40)]
+        whole = good(session, "rows", top=0, count=height).buffers[0]
+        assert b"".join(part.buffers[0] for part in parts) == whole
+        assert "count" in asked(session, "rows", top=0, count=height + 1).content["message"]
+    assert "no preview" in asked(Session(), "rows", top=0, count=1).content["message"]
+
+
+def test_a_preview_shows_what_is_seen_at_the_size_it_is_seen_at() -> None:
+    whole = good(Session(), "layers", raw(STAR), mode="crack", preview={"scale": 200, "view": WHOLE, "pixels": 10**7})
+    shown = whole.content["preview"]
+    assert np.allclose(shown["bounds"], shown["whole"], rtol=0, atol=1 / 200)
+    assert abs(shown["width"] - 200 * (shown["whole"][2] - shown["whole"][0])) < 2
+    near = {"scale": 800, "view": [0.4, 0.4, 0.6, 0.6], "pixels": 10**7}
+    part = good(Session(), "layers", raw(STAR), mode="crack", preview=near).content["preview"]
+    # A tenth more all round, and whole pixels.
+    assert np.allclose(part["bounds"], [0.38, 0.38, 0.62, 0.62], rtol=0, atol=2 / 800)
+    assert abs(part["width"] - 192) <= 2
+    few = good(Session(), "layers", raw(STAR), mode="crack", preview={**near, "pixels": 900}).content["preview"]
+    assert few["width"] * few["height"] <= 1100
+    away = {"scale": 800, "view": [50, 50, 51, 51], "pixels": 900}
+    assert "preview" not in good(Session(), "layers", raw(STAR), mode="crack", preview=away).content
+
+
+def test_thin_cracks_are_left_to_the_page() -> None:
+    values = {"crack": {"material": "ink", "thickness": 0.02, "taper": 0.0, "hierarchy": 0.0, "unevenness": 0.0}}
+
+    def inked(scale: float) -> tuple[float, float, int]:
+        wish = {"scale": scale, "view": WHOLE, "pixels": 10**7}
+        reply = good(Session(), "layers", raw(STAR), mode="crack", values=values, preview=wish)
+        widths = np.frombuffer(reply.buffers[reply.content["layers"][0]["widths"]], dtype="<f4")
+        pixels = np.frombuffer(reply.buffers[-1], dtype=np.uint8).reshape(-1, 4)
+        assert len(widths) * 16 == len(reply.buffers[0])
+        return float(np.median(widths)), reply.content["preview"]["resolved"], int((pixels[:, :3] < 128).sum())
+
+    width, resolved, dark = inked(100)
+    assert width < resolved and dark == 0
+    width, resolved, dark = inked(1500)
+    assert width > resolved and dark > 1000
+
+
+def test_what_nobody_would_see_is_left_out_while_points_move() -> None:
+    def edges(roughness: float, scale: float) -> int:
+        wish = {"preview": {"scale": scale, "view": WHOLE, "pixels": 10_000}, "moving": True, "later": True}
+        values = {"crack": {"roughness": roughness}}
+        return int(good(Session(), "layers", raw(STAR), mode="crack", values=values, **wish).content["rows"][0][1])
+
+    assert edges(0.01, 100) == edges(0.0, 100) < edges(0.3, 4000)
 
 
 # ---- the widget and the module

@@ -120,7 +120,16 @@ def test_too_many_points_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
 # ---- samplers and pictures
 
 
-@pytest.mark.parametrize("name", samples.SAMPLERS)
+def test_a_poisson_disk_sample_is_as_large_as_asked() -> None:
+    for n in (50, 2000):
+        points = points_in(good(Session(), "sample", sampler="poisson_disk", n=n, seed=2))
+        assert abs(len(points) - n) < 0.15 * n
+        # None is nearer to another than five sixths of the step of a square grid of as many.
+        away = np.hypot(*np.diff(cz.diagram(points).delaunay.segments, axis=1)[:, 0].T).min()
+        assert away > 0.83 * n**-0.5
+
+
+@pytest.mark.parametrize("name", ["uniform", "normal", "laplace"])
 def test_samplers_are_those_of_the_library(name: str) -> None:
     reply = good(Session(), "sample", sampler=name, n=40, seed=5)
     assert np.array_equal(points_in(reply), getattr(cz.sample, name)(40, rng=5))
@@ -156,6 +165,27 @@ def test_a_picture_gives_its_contour() -> None:
     rings = points_in(good(session, "contour", n=99, smoothing=6, levels=3, spread=0.8))
     radii = np.hypot(*(rings - 100).T)
     assert np.ptp(radii) > 4
+
+
+def test_a_picture_gives_points_by_its_brightness() -> None:
+    session = Session()
+    good(session, "load", [disc()])
+    asking = {"way": "by brightness", "n": 500, "seed": 4}
+    dark = points_in(good(session, "contour", **asking))
+    light = points_in(good(session, "contour", **asking, dark=False))
+    assert (len(dark), len(light)) == (500, 500)
+    inside = [np.hypot(*(points - 100).T) < 61 for points in (dark, light)]
+    assert inside[0].all()
+    assert not inside[1][np.hypot(*(light - 100).T) < 59].any()
+    again = points_in(good(session, "contour", **asking))
+    other = points_in(good(session, "contour", **{**asking, "seed": 5}))
+    assert np.array_equal(dark, again) and not np.array_equal(dark, other)
+    # The contour's own knobs are nothing to it, and a picture without any dark is told so.
+    assert np.array_equal(points_in(good(session, "contour", **asking, level=0.9, levels=4)), dark)
+    white = io.BytesIO()
+    Image.new("L", (20, 20), 255).save(white, "PNG")
+    good(session, "load", [white.getvalue()])
+    assert asked(session, "contour", **asking).content["kind"] == "error"
 
 
 def test_a_large_picture_is_traced_smaller_and_placed_at_its_size() -> None:

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import io
+import re
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import crazing as cz
-from crazing.edit import knobs, layers
+from crazing.edit import knobs, layers, samples
 from crazing.edit.script import script
 from crazing.edit.session import Session
-from edit_messages import STAR, good, raw
+from edit_messages import STAR, asked, good, raw
 
 # ---- Python that makes the same
 
@@ -41,6 +44,15 @@ def same(layer: layers.Layer, made: Any) -> bool:
     return np.array_equal(layer.graph.segments, made.segments)
 
 
+def smaller(text: str, size: int) -> str:
+    """The script with pictures whose longer side has `size` pixels."""
+
+    def shape(found: re.Match[str]) -> str:
+        return str(tuple(max(1, round(int(side) * size / 1024)) for side in found.groups()))
+
+    return re.sub(r"(?<=crack, )\((\d+), (\d+)\)", shape, text)
+
+
 @pytest.mark.parametrize(("mode", "given_values"), list(varied()), ids=str)
 def test_the_copied_python_makes_the_same(
     mode: str, given_values: dict[str, Any], tmp_path: Any, monkeypatch: Any
@@ -50,7 +62,7 @@ def test_the_copied_python_makes_the_same(
     text = good(Session(), "script", raw(STAR), mode=mode, values=values).content["text"]
     names: dict[str, Any] = {}
     # Its picture is a large one; no pixel is looked at here.
-    exec(text.replace("1024", "32"), names)
+    exec(smaller(text, 32), names)
     assert "points" not in names or np.array_equal(names["points"], STAR)
     drawing = layers.draw(STAR, mode, values[mode])
     assert drawing.layers
@@ -69,8 +81,28 @@ def test_a_sampler_is_named_only_if_it_made_the_points() -> None:
     source = {"sampler": "laplace", "n": 50, "seed": 3}
     points = cz.sample.laplace(50, rng=3)
     assert "cz.sample.laplace(50, rng=3)" in script(points, "maze", knobs.defaults()["maze"], source)
+    disk = {"sampler": "poisson_disk", "n": 300, "seed": 3}
+    names: dict[str, Any] = {}
+    exec(script(samples.points_of(**disk), "maze", knobs.defaults()["maze"], disk), names)
+    assert np.array_equal(names["points"], samples.points_of(**disk))
     moved = points.copy()
     moved[7, 0] += 1e-9
     text = script(moved, "maze", knobs.defaults()["maze"], source)
     assert "laplace" not in text
     assert repr(float(moved[7, 0])) in text
+
+
+def test_the_lit_picture_is_that_of_the_copied_python(tmp_path: Any, monkeypatch: Any) -> None:
+    monkeypatch.chdir(tmp_path)
+    shown = {"mode": "crack", "values": {"crack": {"material": "mud-mature"}}, "lamp": {"side": 300, "high": 25}}
+    text = good(Session(), "script", raw(STAR), **shown).content["text"]
+    exec(smaller(text, 80), {})
+    made = np.asarray(Image.open(tmp_path / "lit.png"))
+    reply = good(Session(), "export", raw(STAR), what="lit", size=80, **shown)
+    assert reply.content["name"] == "lit.png"
+    taken = np.asarray(Image.open(io.BytesIO(reply.buffers[0])))
+    assert np.array_equal(taken, made)
+    other = good(Session(), "export", raw(STAR), what="lit", size=80, **{**shown, "lamp": {"side": 120}})
+    assert not np.array_equal(np.asarray(Image.open(io.BytesIO(other.buffers[0]))), made)
+    for lamp in ({"high": 0}, {"side": "left"}, [135, 40]):
+        assert asked(Session(), "script", raw(STAR), **{**shown, "lamp": lamp}).content["kind"] == "error"

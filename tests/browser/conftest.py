@@ -57,7 +57,7 @@ class Editor:
         """Waits until nothing is asked, answered or drawn any more."""
         idle = """() => {
             const e = document.querySelector(".crz").editor;
-            return !e.layers.busy && !e.contour.busy && !e.scene.frame;
+            return !e.layers.busy && !e.contour.busy && !e.preview.task && !e.scene.frame;
         }"""
         self.page.wait_for_timeout(30)
         self.page.wait_for_function(idle)

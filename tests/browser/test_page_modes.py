@@ -122,6 +122,55 @@ def test_crack_under_a_moving_light(opened: Opener) -> None:
     assert int(rows(editor)["edges"][0].replace(",", "")) > 50
 
 
+PREVIEW = """() => {
+    const { preview, scene, view } = document.querySelector(".crz").editor;
+    const { image, bounds } = scene.preview;
+    return [image.width / (bounds[2] - bounds[0]) / view.scale, preview.covers, bounds[2] - bounds[0]];
+}"""
+
+
+def test_a_crack_at_rest_is_as_sharp_as_the_screen(opened: Opener) -> None:
+    editor = opened(cz.sample.uniform(60, rng=1), device_scale_factor=2, width=900, height=600)
+    editor.mode("crack")
+    editor.settle()
+    sharpness, covers, wide = editor.page.evaluate(PREVIEW)
+    assert abs(sharpness - 2) < 0.02 and covers
+    # Zoomed in, only what is seen is drawn, again as sharp.
+    editor.page.mouse.move(*editor.place(0.5, 0.5))
+    for _ in range(4):
+        editor.page.mouse.wheel(0, -300)
+    editor.settle()
+    sharpness, covers, near = editor.page.evaluate(PREVIEW)
+    assert abs(sharpness - 2) < 0.02 and covers and near < 0.5 * wide
+    # While the pointer is down nothing large is drawn.
+    x, y = editor.place(*editor.points[30])
+    editor.do("fit")
+    editor.settle()
+    x, y = editor.place(*editor.points[30])
+    editor.page.mouse.move(x, y)
+    editor.page.mouse.down()
+    editor.page.mouse.move(x + 20, y, steps=4)
+    editor.page.wait_for_timeout(600)
+    editor.rest()
+    assert editor.page.evaluate(PREVIEW)[0] < 1.2
+    editor.page.mouse.up()
+    editor.settle()
+    assert abs(editor.page.evaluate(PREVIEW)[0] - 2) < 0.02
+
+
+def test_points_by_the_brightness_of_a_picture(opened: Opener) -> None:
+    editor = opened()
+    editor.drop("disc.png", disc("PNG"), "image/png")
+    assert not editor.page.locator("[data-knob=dark]").is_visible()
+    editor.turn("way", "by brightness")
+    assert not editor.page.locator("[data-knob=level]").is_visible()
+    editor.turn("smoothing", 0)
+    grey = np.asarray(Image.open(io.BytesIO(disc("PNG")))) / 255
+    assert np.array_equal(editor.points, cz.sample.from_density(1 - grey, 400, rng=7))
+    editor.page.locator("[data-knob=dark]:visible input").uncheck()
+    assert np.array_equal(editor.points, cz.sample.from_density(grey, 400, rng=7))
+
+
 def disc(kind: str) -> bytes:
     row, column = np.mgrid[:160, :200] + 0.5
     grey = np.where(np.hypot(column - 100, row - 80) < 50, 30, 230).astype(np.uint8)
@@ -185,6 +234,17 @@ def test_a_bad_file_is_told_where_it_was_opened(opened: Opener) -> None:
     editor.page.set_input_files("input[type=file]", [bad])
     complaint = editor.page.locator(".crz-section", has_text="Generate").locator(".crz-complaint")
     complaint.get_by_text("line 2 is 'x,y'; two numbers are wanted").wait_for(timeout=5000)
+    # It is seen, though the panel is longer than the window, and gone when a file could be read.
+    box = complaint.bounding_box()
+    assert box and 0 <= box["y"] < 760 - box["height"]
+    good = {"name": "good.csv", "mimeType": "text/csv", "buffer": b"1,2\n3,5\n"}
+    editor.page.set_input_files("input[type=file]", [good])
+    editor.page.wait_for_function("() => document.querySelector('.crz').editor.cloud.size === 2")
+    assert complaint.inner_text() == ""
+    assert "Add 1 more point" in editor.page.locator(".crz-note").inner_text()
+    editor.page.set_input_files("input[type=file]", [bad])
+    complaint.get_by_text("line 2").wait_for(timeout=5000)
+    assert "Add 1 more point" in editor.page.locator(".crz-note").inner_text()
     editor.drop("bad.csv", b"1,2\n3,<b>4</b>\n")
     assert "line 2 is '3,<b>4</b>'" in editor.page.locator(".crz-note").inner_text()
 

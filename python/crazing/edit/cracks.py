@@ -2,17 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
+from math import cos, radians, sin
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from crazing.crack import Crack
 from crazing.diagram import Diagram, as_diagram, bounds_of
-from crazing.edit.knobs import OWN_PLATES, recipe_fields, recipes
+from crazing.edit.knobs import OWN_PLATES, Knob, number, recipe_fields, recipes
 from crazing.material import Material, preset_material
 from crazing.recipe import Recipe
-from crazing.texture import texture
+
+#: The lamp over the preview.
+LAMP: tuple[Knob, ...] = (
+    number("side", "Light from", 135.0, 0.0, 360.0, 1.0, help="Degrees, 90 is above", group="Light"),
+    number("high", "Height of the light", 40.0, 8.0, 90.0, 1.0, group="Light"),
+)
+
+#: Maps that light needs, and colour.
+LIT_MAPS = ("color", "height", "normal", "ao", "roughness")
+
+#: Where the lamp is: right, up and out.
+Light: TypeAlias = tuple[float, float, float]
 
 #: Material of flat ink, drawn by `crazing.render`.
 INK = "ink"
@@ -42,6 +55,15 @@ def crack_of(points: ArrayLike | Diagram, values: dict[str, Any]) -> Crack:
     return recipe.crack(points, bounds=_box(points), rng=values["seed"])
 
 
+def light(raw: Any) -> Light:
+    """Where the lamp is, as the page has it: side and height in degrees; what it left out is at its default."""
+    if not isinstance(raw, Mapping) and raw is not None:
+        raise TypeError(f"lamp is {type(raw).__name__}; an object is wanted")
+    given = {} if raw is None else raw
+    side, high = (radians(knob.read(given.get(knob.name, knob.default), "lamp")) for knob in LAMP)
+    return round(cos(side) * cos(high), 4), round(sin(side) * cos(high), 4), round(sin(high), 4)
+
+
 def _box(points: ArrayLike | Diagram) -> tuple[float, float, float, float]:
     """The bounds that a crack of points has by default; some steps want them told."""
     return bounds_of(as_diagram(points), None)
@@ -53,34 +75,42 @@ def material_of(values: dict[str, Any]) -> Material:
     return Material() if name == "thesis" else preset_material(name)
 
 
-def lines(values: dict[str, Any], points: NDArray[np.float64]) -> list[str]:
-    """Python that makes the same crack and its picture."""
+def picture_shape(box: tuple[float, float, float, float], size: int) -> tuple[int, int]:
+    """(height, width) of a picture of a box, the longer side `size` pixels."""
+    sides = box[3] - box[1], box[2] - box[0]
+    height, width = (max(1, round(size * side / max(sides))) for side in sides)
+    return height, width
+
+
+def lines(values: dict[str, Any], points: NDArray[np.float64], lamp: Light) -> list[str]:
+    """Python that makes the same crack and its pictures, flat and lit."""
     start = "cz.Recipe()" if values["recipe"] == "thesis" else f"cz.preset({values['recipe']!r})"
     changes = ", ".join(f"{name}={value!r}" for name, value in _changes(values).items())
     if has_own_plates(values):
-        given = "period=(1.0, 1.0), " if values["tile"] else ""
+        given, shape = "period=(1.0, 1.0), " if values["tile"] else "", (1024, 1024)
     else:
-        given = f"points, bounds={_box(points)}, "
+        given, shape = f"points, bounds={_box(points)}, ", picture_shape(_box(points), 1024)
     made = [f"recipe = {start}" + (f".replace({changes})" if changes else "")]
     made.append(f"crack = recipe.crack({given}rng={values['seed']})")
     if values["material"] == INK:
-        return [*made, 'cz.save_png("crack.png", cz.render(crack, 1024))']
+        return [*made, f'cz.save_png("crack.png", cz.render(crack, {shape}))']
     name = values["recipe"] if values["material"] == "of the recipe" else values["material"]
     material = "" if name == "thesis" else f", material={name!r}"
     return [
         *made,
-        f"texture = cz.texture(crack, 1024{material}, seed={values['seed']})",
+        f"texture = cz.texture(crack, {shape}, maps={LIT_MAPS}{material}, seed={values['seed']})",
         'cz.save_png("crack.png", texture["color"])',
+        f'cz.save_png("lit.png", texture.lit(light={lamp}))',
     ]
 
 
-def lit_maps(crack: Crack, shape: tuple[int, int], values: dict[str, Any]) -> NDArray[np.uint8]:
-    """(H, W, 7) uint8: colour, the slopes in x and y about 128, occlusion and roughness; what light needs."""
-    names = ("color", "normal", "ao", "roughness")
-    maps = texture(crack, shape, maps=names, material=material_of(values), seed=values["seed"])
-    packed = np.empty((*shape, 7), dtype=np.uint8)
-    packed[..., :3] = maps["color"]
-    packed[..., 3:5] = maps["normal"][..., :2] * np.float32(127) + np.float32(128.5)
-    packed[..., 5] = maps["ao"] * np.float32(255)
-    packed[..., 6] = maps["roughness"] * np.float32(255)
-    return packed
+def is_rough(points: NDArray[np.float64], values: dict[str, Any], scale: float) -> bool:
+    """Whether a crack about one spacing long wanders by a pixel or more, at `scale` pixels a unit."""
+    if has_own_plates(values):
+        spacing = values["n"] ** -0.5
+    elif len(points):
+        with np.errstate(over="ignore"):
+            spacing = float(np.sqrt(np.prod(np.ptp(points, axis=0)) / len(points)))
+    else:
+        spacing = 0.0
+    return bool(values["roughness"] * spacing * scale >= 1)

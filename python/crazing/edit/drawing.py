@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from crazing import files
 from crazing.crack import Crack
+from crazing.edit.cracks import picture_shape
 from crazing.edit.layers import Drawing, Layer
 from crazing.extras import require
 from crazing.graph import PlanarGraph
@@ -66,7 +67,7 @@ def frame(drawing: Drawing, points: NDArray[np.float64]) -> Box:
 
 def png(layers: list[Layer], box: Box, size: int) -> bytes:
     """The layers over one another on white, the longer side `size` pixels."""
-    height, width = shape(box, size)
+    height, width = picture_shape(box, size)
     picture = np.full((height, width, 3), 255, dtype=np.uint8)
     line = max(box[2] - box[0], box[3] - box[1]) / size * max(1.0, size / 600)
     for layer in layers:
@@ -75,13 +76,6 @@ def png(layers: list[Layer], box: Box, size: int) -> bytes:
         style = Style(ink=INKS[layer.name], ground=None, width=thick)
         picture = _blended(picture, render(graph, (height, width), bounds=box, style=style))
     return png_of(picture)
-
-
-def shape(box: Box, size: int) -> tuple[int, int]:
-    """(height, width) of a picture of a box, the longer side `size` pixels."""
-    sides = box[3] - box[1], box[2] - box[0]
-    height, width = (max(1, round(size * side / max(sides))) for side in sides)
-    return height, width
 
 
 def _dots(marks: NDArray[np.float64] | None) -> PlanarGraph:

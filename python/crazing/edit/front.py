@@ -9,7 +9,7 @@ from pathlib import Path
 FOLDER = Path(__file__).parent / "front"
 
 #: Each names only what stands before it.
-PARTS = ("dom", "view", "cloud", "wire", "scene", "light", "tools", "controls", "panels", "editor")
+PARTS = ("dom", "view", "cloud", "wire", "scene", "light", "preview", "tools", "controls", "panels", "editor")
 
 # What joins the parts while they are separate modules; as one they share a scope.
 _IMPORT = re.compile(r'^import \{[^}]*\} from "\./\w+\.js";\n', re.MULTILINE)

@@ -32,11 +32,15 @@ MOST_NESTED = 400_000
 
 @dataclass(frozen=True)
 class Layer:
-    """Lines or marks under one name: the word of its colour on the page and of its group in a file."""
+    """Lines or marks under one name: the word of its colour on the page and of its group in a file.
+
+    Lines may have widths, one an edge, in data units.
+    """
 
     name: str
     graph: PlanarGraph | None = None
     marks: Points | None = None
+    widths: NDArray[np.float64] | None = None
 
 
 @dataclass(frozen=True)
@@ -242,7 +246,8 @@ def _crack(d: Points | Diagram, values: dict[str, Any], skip: frozenset[str]) ->
         ("free ends", graph.leaves),
         ("length", graph.length),
     ]
-    return Drawing([Layer("crack", PlanarGraph(*_unwrapped(found)))], rows=rows, subject=found, seconds=seconds)
+    layer = Layer("crack", PlanarGraph(*_unwrapped(found)), widths=found.width.mean(axis=1))
+    return Drawing([layer], rows=rows, subject=found, seconds=seconds)
 
 
 def _unwrapped(found: Crack) -> tuple[Points, NDArray[np.int32]]:

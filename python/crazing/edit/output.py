@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -17,7 +18,7 @@ from crazing.edit.layers import Drawing, draw
 from crazing.errors import CrazingError
 from crazing.material import Material
 from crazing.render import render
-from crazing.texture import texture
+from crazing.texture import Texture, texture
 
 Points: TypeAlias = NDArray[np.float64]
 
@@ -25,7 +26,19 @@ Points: TypeAlias = NDArray[np.float64]
 TEXTURE_MAPS = ("color", "height", "normal", "ao", "roughness", "mask")
 
 
-def made(what: Any, points: Points, mode: str, values: dict[str, Any], size: int) -> tuple[str, bytes]:
+@dataclass(frozen=True)
+class Asked:
+    """What a file is made of: points, knobs, the longer side of a picture in pixels, where the lamp is."""
+
+    points: Points
+    values: dict[str, Any]
+    size: int
+    light: cracks.Light
+
+
+def made(
+    what: Any, points: Points, mode: str, values: dict[str, Any], size: int, light: cracks.Light
+) -> tuple[str, bytes]:
     """A file of what the page shows.
 
     Parameters
@@ -36,6 +49,8 @@ def made(what: Any, points: Points, mode: str, values: dict[str, Any], size: int
         What is on the page.
     size : int
         The longer side of a picture, in pixels.
+    light : (right, up, out)
+        Where the lamp over a crack is.
 
     Returns
     -------
@@ -52,7 +67,8 @@ def made(what: Any, points: Points, mode: str, values: dict[str, Any], size: int
     found = draw(points, mode, values)
     if not found.layers:
         raise CrazingError(found.note or "there is nothing to be written yet; add some points")
-    return f"{mode}.{_ENDINGS.get(word, word)}", _MAKERS[word](found, points, values, size)
+    name = "lit" if word == "lit" else mode
+    return f"{name}.{_ENDINGS.get(word, word)}", _MAKERS[word](found, Asked(points, values, size, light))
 
 
 def described() -> list[dict[str, Any]]:
@@ -60,52 +76,59 @@ def described() -> list[dict[str, Any]]:
     return [{"what": word, "label": label, "modes": list(modes)} for word, (label, modes) in _LABELS.items()]
 
 
-def _png(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
-    if isinstance(found.subject, Crack):
-        shape = drawing.shape(found.subject.bounds, size)
-        if values["material"] == cracks.INK:
-            return drawing.png_of(render(found.subject, shape))
-        material = cracks.material_of(values)
-        return drawing.png_of(
-            texture(found.subject, shape, maps="color", material=material, seed=values["seed"])["color"]
-        )
-    return drawing.png(drawing.shown(found, points), drawing.frame(found, points), size)
+def _png(found: Drawing, asked: Asked) -> bytes:
+    if not isinstance(found.subject, Crack):
+        return drawing.png(drawing.shown(found, asked.points), drawing.frame(found, asked.points), asked.size)
+    if asked.values["material"] == cracks.INK:
+        return drawing.png_of(render(found.subject, cracks.picture_shape(found.subject.bounds, asked.size)))
+    return drawing.png_of(_texture_of(found, asked, ("color",))["color"])
 
 
-def _svg(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
-    return drawing.svg(drawing.shown(found, points), drawing.frame(found, points))
+def _lit(found: Drawing, asked: Asked) -> bytes:
+    return drawing.png_of(_texture_of(found, asked, cracks.LIT_MAPS).lit(light=asked.light))
 
 
-def _dxf(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
-    return drawing.dxf(drawing.shown(found, points), drawing.frame(found, points))
-
-
-def _recipe(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
-    return cracks.recipe_of(values).to_toml().encode()
-
-
-def _texture(found: Drawing, points: Points, values: dict[str, Any], size: int) -> bytes:
+def _texture_of(found: Drawing, asked: Asked, maps: tuple[str, ...]) -> Texture:
+    """Maps of the crack; ink has the material of no recipe."""
     if not isinstance(found.subject, Crack):
         raise CrazingError("a texture is made of a crack; there is none")
-    material = Material() if values["material"] == cracks.INK else cracks.material_of(values)
-    shape = drawing.shape(found.subject.bounds, size)
-    made = texture(found.subject, shape, maps=TEXTURE_MAPS, material=material, seed=values["seed"])
+    material = Material() if asked.values["material"] == cracks.INK else cracks.material_of(asked.values)
+    shape = cracks.picture_shape(found.subject.bounds, asked.size)
+    return texture(found.subject, shape, maps=maps, material=material, seed=asked.values["seed"])
+
+
+def _svg(found: Drawing, asked: Asked) -> bytes:
+    return drawing.svg(drawing.shown(found, asked.points), drawing.frame(found, asked.points))
+
+
+def _dxf(found: Drawing, asked: Asked) -> bytes:
+    return drawing.dxf(drawing.shown(found, asked.points), drawing.frame(found, asked.points))
+
+
+def _recipe(found: Drawing, asked: Asked) -> bytes:
+    return cracks.recipe_of(asked.values).to_toml().encode()
+
+
+def _texture(found: Drawing, asked: Asked) -> bytes:
+    drawn = _texture_of(found, asked, TEXTURE_MAPS)
     with tempfile.TemporaryDirectory() as folder:
-        made.save(folder, name="crack")
+        drawn.save(folder, name="crack")
         return drawing.zipped(drawing.folder_content(Path(folder)))
 
 
-_MAKERS: dict[str, Callable[[Drawing, Points, dict[str, Any], int], bytes]] = {
+_MAKERS: dict[str, Callable[[Drawing, Asked], bytes]] = {
     "png": _png,
+    "lit": _lit,
     "svg": _svg,
     "dxf": _dxf,
     "texture": _texture,
     "recipe": _recipe,
 }
-_ENDINGS = {"recipe": "toml", "texture": "zip"}
+_ENDINGS = {"lit": "png", "recipe": "toml", "texture": "zip"}
 _ALL = ("skeleton", "compare", "maze", "crack")
 _LABELS: dict[str, tuple[str, tuple[str, ...]]] = {
     "png": ("PNG picture", _ALL),
+    "lit": ("Lit picture", ("crack",)),
     "svg": ("SVG drawing", _ALL),
     "dxf": ("DXF drawing", _ALL),
     "texture": ("Texture folder", ("crack",)),

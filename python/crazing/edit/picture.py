@@ -1,15 +1,15 @@
-"""A picture that was dropped on the page: its contour at some levels, smoothed, as points."""
+"""A picture that was dropped on the page as points: along its contours, or denser where it is bright or dark."""
 
 from __future__ import annotations
 
 import io
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from crazing import arguments, sample
-from crazing.edit.knobs import Knob, count, number
+from crazing.edit.knobs import SEED, Knob, choice, count, number, switch
 from crazing.errors import CrazingError
 from crazing.images import brightness, read_image
 
@@ -19,13 +19,19 @@ _LONGEST = 2048
 #: Bytes of a picture that are taken.
 MOST_BYTES = 64 << 20
 
+_WAYS = ("along contours", "by brightness")
+_CONTOURS, _DENSITY = (f"way:{way}" for way in _WAYS)
+
 #: What the page turns while a picture is traced.
 KNOBS: tuple[Knob, ...] = (
-    number("level", "Level", 0.5, 0.0, 1.0, help="Brightness where the contour runs"),
-    count("levels", "Levels", 1, 1, 10),
-    number("spread", "Spread", 0.5, 0.0, 1.0, help="Between the outermost levels"),
+    choice("way", "Points", _WAYS),
+    number("level", "Level", 0.5, 0.0, 1.0, help="Brightness where the contour runs", needs=_CONTOURS),
+    count("levels", "Levels", 1, 1, 10, needs=_CONTOURS),
+    number("spread", "Spread", 0.5, 0.0, 1.0, help="Between the outermost levels", needs=_CONTOURS),
+    switch("dark", "Denser where dark", True, needs=_DENSITY),
     number("smoothing", "Smoothing", 0.0, 0.0, 20.0, 0.25, help="Blur before, in pixels"),
     count("n", "Number of points", 400, 3, 20_000),
+    replace(SEED, needs=_DENSITY),
 )
 
 
@@ -37,21 +43,38 @@ class Picture:
     scale: int
     size: tuple[int, int]
 
-    def contour(self, *, level: float, levels: int, spread: float, smoothing: float, n: int) -> NDArray[np.float64]:
-        """Points spread evenly along the contours, in pixels of the file, y up.
+    def points(
+        self,
+        *,
+        way: str,
+        level: float,
+        levels: int,
+        spread: float,
+        dark: bool,
+        smoothing: float,
+        n: int,
+        seed: int,
+    ) -> NDArray[np.float64]:
+        """Points in pixels of the file, y up: spread evenly along the contours, or drawn by brightness.
 
         Parameters
         ----------
+        way : {"along contours", "by brightness"}
+            Which.
         level : float
             Brightness of the middle contour, 0 to 1.
         levels : int
             How many contours, from `level - spread / 2` to `level + spread / 2`.
         spread : float
             How far apart the outermost are.
+        dark : bool
+            By brightness: denser where the picture is dark.
         smoothing : float
             Standard deviation of the blur before, in pixels traced.
         n : int
             Number of points.
+        seed : int
+            By brightness.
 
         Returns
         -------
@@ -60,12 +83,15 @@ class Picture:
         Raises
         ------
         CrazingError
-            If there is no contour.
+            If there is no contour, or no brightness.
         """
-        half = spread / 2 if levels > 1 else 0.0
-        wanted = np.linspace(level - half, level + half, levels).tolist()
-        points = sample.from_image(blurred(self.grey, smoothing), level=wanted, n=n)
-        return points * float(self.scale)
+        grey = blurred(self.grey, smoothing)
+        if way == _WAYS[0]:
+            half = spread / 2 if levels > 1 else 0.0
+            found = sample.from_image(grey, level=np.linspace(level - half, level + half, levels).tolist(), n=n)
+        else:
+            found = sample.from_density(1.0 - grey if dark else grey, n, rng=seed)
+        return found * float(self.scale)
 
 
 def opened(content: bytes) -> Picture:

@@ -12,7 +12,7 @@ from crazing import arguments, sample
 from crazing.edit.knobs import SEED, Knob, choice, count
 
 #: Samplers by the word of `crazing.sample`, and outlines.
-SAMPLERS = ("uniform", "normal", "laplace")
+SAMPLERS = ("uniform", "normal", "laplace", "poisson_disk")
 OUTLINES = ("star", "flower", "blob")
 
 #: What the page turns to make points.
@@ -31,7 +31,7 @@ def points_of(sampler: str, n: int, seed: int) -> NDArray[np.float64]:
     sampler : str
         One of `SAMPLERS`, over the unit square or about the origin, or of `OUTLINES`, evenly along them.
     n : int
-        How many.
+        How many; a Poisson-disk sample has about as many.
     seed : int
         Of the samplers; outlines have none.
 
@@ -48,7 +48,14 @@ def points_of(sampler: str, n: int, seed: int) -> NDArray[np.float64]:
     arguments.choice(sampler, "sampler", (*SAMPLERS, *OUTLINES))
     if sampler in OUTLINES:
         return _outline(sampler, n)
+    if sampler == "poisson_disk":
+        return sample.poisson_disk(_radius(n), rng=seed)
     return np.asarray(getattr(sample, sampler)(n, rng=seed))
+
+
+def _radius(n: int) -> float:
+    """Of a Poisson-disk sample of the unit square with about `n` points, to four figures."""
+    return float(f"{(0.7 / n) ** 0.5:.4g}")
 
 
 def read(raw: Any) -> dict[str, Any] | None:
@@ -64,7 +71,8 @@ def source_text(sampler: str, n: int, seed: int) -> str | None:
     """The call that makes the same points; None for outlines, which only the page has."""
     if sampler not in SAMPLERS:
         return None
-    return f"cz.sample.{sampler}({n}, rng={seed})"
+    first = _radius(n) if sampler == "poisson_disk" else n
+    return f"cz.sample.{sampler}({first}, rng={seed})"
 
 
 def _outline(name: str, n: int) -> NDArray[np.float64]:

@@ -13,7 +13,13 @@ from crazing.edit import cracks, samples
 _ROW = 3
 
 
-def script(points: NDArray[np.float64], mode: str, values: dict[str, Any], source: dict[str, Any] | None = None) -> str:
+def script(
+    points: NDArray[np.float64],
+    mode: str,
+    values: dict[str, Any],
+    source: dict[str, Any] | None = None,
+    light: cracks.Light | None = None,
+) -> str:
     """Python that gives the same arrays as the page shows.
 
     Parameters
@@ -26,6 +32,8 @@ def script(points: NDArray[np.float64], mode: str, values: dict[str, Any], sourc
         The values of its knobs, checked.
     source : dict, optional
         Sampler, n and seed that gave the points; used if they give them indeed.
+    light : (right, up, out)
+        Where the lamp over a crack is; where the page has it first, by default.
 
     Returns
     -------
@@ -45,7 +53,7 @@ def script(points: NDArray[np.float64], mode: str, values: dict[str, Any], sourc
     ]
     ...
     """
-    body = cracks.lines(values, points) if mode == "crack" else _MODES[mode](values)
+    body = cracks.lines(values, points, light or cracks.light(None)) if mode == "crack" else _MODES[mode](values)
     names = ["import crazing as cz"]
     if values.get("cells") == "in the curve":
         names = [

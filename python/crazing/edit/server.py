@@ -131,6 +131,8 @@ class Server:
             self._guard,
             ws="websockets-sansio",
             ws_max_size=LONGEST_MESSAGE,
+            # Within one machine it would only cost time, most of an answer's with a picture in it.
+            ws_per_message_deflate=False,
             log_level="critical",
             access_log=False,
             server_header=False,

@@ -12,18 +12,17 @@ from numpy.typing import NDArray
 
 from crazing import _core, arguments
 from crazing.crack import Crack
-from crazing.edit import cracks, drawing, exchange, knobs, output, picture, samples
+from crazing.edit import cracks, exchange, knobs, output, picture, previews, samples
 from crazing.edit.layers import MODES, Drawing, draw
 from crazing.edit.script import script
 from crazing.errors import CrazingError
 from crazing.measure import measure
-from crazing.render import Style, render
 
 Points: TypeAlias = NDArray[np.float64]
 Buffers: TypeAlias = Sequence["bytes | memoryview"]
 
-#: Sides of a preview and of a picture to be taken away, in pixels.
-LARGEST_PREVIEW, LARGEST_PICTURE = 2048, 8192
+#: Pixels a side of a picture to be taken away.
+LARGEST_PICTURE = 8192
 
 #: Seconds beyond which a layer waits until its points are let go.
 SLOW = 0.06
@@ -64,6 +63,7 @@ class Session:
         self.values = knobs.defaults()
         self._picture: picture.Picture | None = None
         self._slow: set[str] = set()
+        self._preview: previews.Preview | None = None
 
     def answer(self, content: Any, buffers: Buffers = ()) -> Message:
         """The reply to a message.
@@ -113,6 +113,7 @@ class Session:
             "recipes": {name: {f: getattr(r, f) for f in knobs.recipe_fields()} for name, r in knobs.recipes().items()},
             "samples": knobs.listed(samples.KNOBS),
             "contour": knobs.listed(picture.KNOBS),
+            "lamp": knobs.listed(cracks.LAMP),
             "outlines": list(samples.OUTLINES),
             "formats": list(exchange.FORMATS),
             "outputs": output.described(),
@@ -124,19 +125,40 @@ class Session:
     def _layers(self, content: Mapping[str, Any], buffers: Buffers) -> Message:
         start = time.perf_counter()
         points, mode, values = self.keep(content, buffers)
-        skip = frozenset(self._slow) if content.get("moving") is True else frozenset[str]()
+        wish = previews.Wish.read(content.get("preview")) if mode == "crack" else None
+        skip = frozenset[str]()
+        if content.get("moving") is True:
+            skip = frozenset(self._slow)
+            if wish is not None and not cracks.is_rough(points, values, wish.scale):
+                # It costs more than all else, and nobody would see it.
+                skip |= {"crack"}
         found = draw(points, mode, values, skip)
         self._time(found)
         reply, parts = _packed(found, points)
         left_out = sorted(name for name in skip if values.get(name))
         if left_out and mode == "skeleton":
             reply["note"] = f"{', '.join(left_out).capitalize()}: when you let go"
-        if isinstance(found.subject, Crack) and content.get("preview"):
-            size = arguments.count(content["preview"], "preview", low=16, high=LARGEST_PREVIEW)
-            reply["preview"], pixels = _preview(found.subject, size, values)
-            parts.append(pixels)
-        reply["milliseconds"] = round(1e3 * (time.perf_counter() - start), 2)
+        drawn = time.perf_counter()
+        self._preview = _preview_of(found, wish, values)
+        if self._preview is not None:
+            later = content.get("later") is True
+            reply["preview"] = {**self._preview.described(), "later": later}
+            if not later:
+                parts.append(self._preview.without_thin().rows(0, self._preview.shape[0]))
+        now = time.perf_counter()
+        reply |= {"milliseconds": round(1e3 * (now - start), 2), "drawing": round(1e3 * (now - drawn), 2)}
         return Message({"kind": "layers", "mode": mode, **reply}, parts)
+
+    def _rows(self, content: Mapping[str, Any], buffers: Buffers) -> Message:
+        """A part of the preview that the last layers left for later."""
+        if self._preview is None:
+            raise CrazingError("there is no preview yet")
+        height = self._preview.shape[0]
+        top = arguments.count(content.get("top"), "top", high=height - 1)
+        count = arguments.count(content.get("count"), "count", low=1, high=height - top)
+        start = time.perf_counter()
+        pixels = self._preview.rows(top, count)
+        return Message({"kind": "rows", "drawing": round(1e3 * (time.perf_counter() - start), 2)}, [pixels])
 
     def _time(self, found: Drawing) -> None:
         """Remembers which layers are too slow to follow a moving point."""
@@ -172,7 +194,7 @@ class Session:
         if self._picture is None:
             raise CrazingError("no picture has been dropped yet")
         asked = {knob.name: knob.read(content.get(knob.name, knob.default), "contour") for knob in picture.KNOBS}
-        points = self._picture.contour(**asked)
+        points = self._picture.points(**asked)
         return Message({"kind": "points", "source": None}, [points.tobytes()])
 
     def _save(self, content: Mapping[str, Any], buffers: Buffers) -> Message:
@@ -183,17 +205,20 @@ class Session:
     def _export(self, content: Mapping[str, Any], buffers: Buffers) -> Message:
         points, mode, values = self.keep(content, buffers)
         size = arguments.count(content.get("size", 1024), "size", low=16, high=LARGEST_PICTURE)
-        name, made = output.made(content.get("what"), points, mode, values, size)
+        light = cracks.light(content.get("lamp"))
+        name, made = output.made(content.get("what"), points, mode, values, size, light)
         return Message({"kind": "file", "name": name}, [made])
 
     def _script(self, content: Mapping[str, Any], buffers: Buffers) -> Message:
         points, mode, values = self.keep(content, buffers)
-        return Message({"kind": "script", "text": script(points, mode, values, samples.read(content.get("source")))})
+        source, light = samples.read(content.get("source")), cracks.light(content.get("lamp"))
+        return Message({"kind": "script", "text": script(points, mode, values, source, light)})
 
 
 _ANSWERS: dict[str, Callable[[Session, Mapping[str, Any], Buffers], Message]] = {
     "hello": Session._hello,
     "layers": Session._layers,
+    "rows": Session._rows,
     "measure": Session._measure,
     "sample": Session._sample,
     "load": Session._load,
@@ -230,13 +255,18 @@ def _file(buffers: Buffers) -> bytes:
 def _packed(found: Drawing, points: Points) -> tuple[dict[str, Any], list[bytes]]:
     """The drawing as numbers for the page: float32 about the middle of the points, so that far points stay sharp."""
     origin = points.mean(axis=0) if len(points) else np.zeros(2)
-    layers, parts = [], []
+    layers: list[dict[str, Any]] = []
+    parts: list[bytes] = []
     for layer in found.layers:
         kind, where = ("lines", layer.graph.segments) if layer.graph is not None else ("marks", layer.marks)
         assert where is not None
         with np.errstate(over="ignore"):
             parts.append(np.ascontiguousarray(where - origin, dtype="<f4").tobytes())
         layers.append({"name": layer.name, "kind": kind})
+    for layer, about in zip(found.layers, layers, strict=True):
+        if layer.widths is not None:
+            about["widths"] = len(parts)
+            parts.append(layer.widths.astype("<f4").tobytes())
     described = {
         "layers": layers,
         "origin": origin.tolist(),
@@ -247,10 +277,9 @@ def _packed(found: Drawing, points: Points) -> tuple[dict[str, Any], list[bytes]
     return described, parts
 
 
-def _preview(crack: Crack, size: int, values: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
-    """The crack as pixels, the longer side `size`: RGBA, or what the page puts light on."""
-    height, width = drawing.shape(crack.bounds, size)
-    shown = {"bounds": list(crack.bounds), "height": height, "width": width}
-    if values["material"] == cracks.INK:
-        return {**shown, "kind": "ink"}, render(crack, (height, width), style=Style()).tobytes()
-    return {**shown, "kind": "maps"}, cracks.lit_maps(crack, (height, width), values).tobytes()
+def _preview_of(found: Drawing, wish: previews.Wish | None, values: dict[str, Any]) -> previews.Preview | None:
+    """The preview that is wished for, if any of the crack is seen."""
+    if wish is None or not isinstance(found.subject, Crack):
+        return None
+    frame = wish.frame(found.subject)
+    return None if frame is None else previews.Preview(found.subject, frame, values)

@@ -8,10 +8,11 @@ pub struct Incidence {
 }
 
 impl Incidence {
-    /// Sorts the rows of `table` by the indices they hold; -1 is no index. Linear.
+    /// Sorts the rows of `table` by the indices below `count` that they hold; others are passed over. Linear.
     pub fn of<const N: usize>(count: usize, table: &[[i32; N]]) -> Self {
+        let is_below = |index: i32| index >= 0 && (index as usize) < count;
         let mut starts = vec![0_u32; count + 2];
-        for &index in table.iter().flatten().filter(|&&index| index >= 0) {
+        for &index in table.iter().flatten().filter(|&&index| is_below(index)) {
             starts[index as usize + 2] += 1;
         }
         for i in 2..starts.len() {
@@ -19,7 +20,7 @@ impl Incidence {
         }
         let mut rows = vec![0; starts[count + 1] as usize];
         for (row, entries) in table.iter().enumerate() {
-            for &index in entries.iter().filter(|&&index| index >= 0) {
+            for &index in entries.iter().filter(|&&index| is_below(index)) {
                 let next = &mut starts[index as usize + 1];
                 rows[*next as usize] = row as u32;
                 *next += 1;

@@ -1,5 +1,7 @@
 //! Work on all cores, in a pool that lives as long as the call: a global pool would not survive a fork.
 
+use std::ops::Range;
+
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
@@ -37,6 +39,19 @@ pub(crate) fn map<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> 
         &f,
         |f| (0..len).map(f).collect(),
         |f| (0..len).into_par_iter().with_min_len(WORTHWHILE / 8).map(f).collect(),
+    )
+}
+
+/// `f` of ranges that make up `0..len`, in order: for work that would make a small vector an item.
+pub(crate) fn ranges<T: Send>(len: usize, f: impl Fn(Range<usize>) -> T + Sync + Send) -> Vec<T> {
+    const SIZE: usize = WORTHWHILE / 8;
+    let range = |i: usize| i * SIZE..len.min((i + 1) * SIZE);
+    let count = len.div_ceil(SIZE);
+    choose(
+        len,
+        &f,
+        |f| (0..count).map(|i| f(range(i))).collect(),
+        |f| (0..count).into_par_iter().map(|i| f(range(i))).collect(),
     )
 }
 

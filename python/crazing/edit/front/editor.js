@@ -5,14 +5,10 @@ import { View } from "./view.js";
 import { Cloud } from "./cloud.js";
 import { Live, Wire, numbers } from "./wire.js";
 import { Scene } from "./scene.js";
-import { lit } from "./light.js";
+import { Preview } from "./preview.js";
 import { TOOLS, Tools } from "./tools.js";
 import { controls } from "./controls.js";
 import { keepFile, measureSection, modeSection, outSection, pictureSection, pointsSection } from "./panels.js";
-
-/** Pixels of the longer side of a crack's preview when it rests; while it moves as many as can be made in time. */
-const RESTING = 1000;
-const MOVING = { least: 128, most: 640, milliseconds: 75 };
 
 const KEYS = [
   ["Click", "add a point"], ["Drag a point", "move it"], ["Shift + click, Shift + drag", "select"], ["Delete", "delete what is selected"],
@@ -32,8 +28,9 @@ class Editor {
     this.scene = new Scene(this.canvas, this.view, this.cloud, root);
     this.wire = state.wire;
     this.resting = true;
-    this.moving = 256;
-    this.lamp = { side: 135, high: 40 };
+    this.unmeasured = false;
+    const lamp = Object.fromEntries(state.lamp.map(({ name, default: value }) => [name, value]));
+    this.preview = new Preview(this.wire, this.view, this.scene, lamp, () => this.tools.pointers.size > 0, (error) => this.#tell(error.message));
     this.layers = new Live(() => this.#askLayers(), (answer) => this.#showLayers(answer), (error) => this.#tell(error.message));
     this.contour = new Live(() => this.wire.ask({ kind: "contour", ...this.picture.values }), (answer) => this.#traced(answer), (error) => this.picture.complain(error.message));
     this.#build();
@@ -126,11 +123,7 @@ class Editor {
         this.scene.invalidate();
       } });
       this.scene.showLines = false;
-      const knobs = [
-        { name: "side", label: "Light from", kind: "number", low: 0, high: 360, step: 1, needs: "", help: "Degrees, 90 is above", group: "Light" },
-        { name: "high", label: "Height of the light", kind: "number", low: 8, high: 90, step: 1, needs: "", help: "", group: "Light" },
-      ];
-      const lamp = controls(knobs, this.lamp, () => this.#light());
+      const lamp = controls(this.state.lamp, this.preview.lamp, () => this.preview.light());
       lamp.element.querySelector("details").open = true;
       return [lamp.element, h("div", { class: "crz-row crz-switch" }, lines, h("label", { htmlFor: lines.id }, h("span", { class: "crz-swatch", "data-layer": "crack", "aria-hidden": "true" }), "Centrelines"))];
     }
@@ -167,6 +160,8 @@ class Editor {
 
   stop() {
     this.observer.disconnect();
+    clearTimeout(this.rest);
+    this.preview.stop();
     this.dark.removeEventListener("change", this.themed);
     this.wire.forget("closed");
   }
@@ -176,7 +171,7 @@ class Editor {
     const first = this.view.width === 1;
     this.view.resize(width, height);
     if (first) this.fit();
-    this.scene.invalidate();
+    this.changed("view");
   }
 
   // ---- theme
@@ -325,13 +320,14 @@ class Editor {
   /** A file that was opened or dropped: points, or a picture to be traced. */
   async load(file) {
     if (file.size > this.state.limits.bytes) throw new Error(`${file.name} is larger than ${this.state.limits.bytes >> 20} MB.`);
-    this.#tell("");
     let answer = await this.wire.ask({ kind: "load" }, [await file.arrayBuffer()]);
     let shown = file;
     if (answer.kind === "drawing") {
       shown = await rasterised(file);
       answer = await this.wire.ask({ kind: "load" }, [await shown.arrayBuffer()]);
     }
+    this.noteStays = false;
+    this.#tell("");
     if (answer.kind === "points") {
       this.closePicture();
       this.#replace(answer);
@@ -381,7 +377,7 @@ class Editor {
   }
 
   export(what, size) {
-    return this.wire.ask({ kind: "export", what, size, ...this.#state() }, [this.bytes()]);
+    return this.wire.ask({ kind: "export", what, size, lamp: this.preview.lamp, ...this.#state() }, [this.bytes()]);
   }
 
   measure() {
@@ -389,7 +385,7 @@ class Editor {
   }
 
   async script() {
-    return (await this.wire.ask({ kind: "script", source: this.cloud.source, ...this.#state() }, [this.bytes()])).text;
+    return (await this.wire.ask({ kind: "script", source: this.cloud.source, lamp: this.preview.lamp, ...this.#state() }, [this.bytes()])).text;
   }
 
   keep(answer) {
@@ -398,43 +394,29 @@ class Editor {
 
   #askLayers() {
     this.asked = performance.now();
-    this.askedAtRest = this.resting;
-    const preview = this.mode === "crack" ? (this.resting ? RESTING : this.moving) : 0;
-    return this.wire.ask({ kind: "layers", preview, moving: this.scene.dragging === true || (this.mode === "crack" && !this.resting), ...this.#state() }, [this.bytes()]);
+    const { resting, mode } = this;
+    const crack = mode === "crack";
+    this.askedAtRest = resting;
+    this.preview.stop();
+    const wish = crack ? { preview: this.preview.wish(resting), later: resting } : {};
+    return this.wire.ask({ kind: "layers", ...wish, moving: this.scene.dragging === true || (crack && !resting), ...this.#state() }, [this.bytes()]);
   }
 
-  async #showLayers(answer) {
+  #showLayers(answer) {
     this.scene.mode = answer.mode;
     this.scene.take(answer, numbers);
-    this.maps = answer.preview ? { ...answer.preview, pixels: numbers(answer.buffers.at(-1), Uint8ClampedArray) } : null;
-    await this.#light();
+    this.preview.take(answer, this.asked);
     this.#tell(answer.note);
     this.modes.count(answer.mode, answer.head, answer.rows);
     this.#sides();
     this.scene.invalidate();
-    const took = performance.now() - this.asked;
-    if (this.maps && Math.max(this.maps.width, this.maps.height) === this.moving) {
-      // Time goes with pixels; half the step at once, so that one slow answer does not make the picture jump.
-      const wanted = this.moving * Math.sqrt(MOVING.milliseconds / Math.max(took, 10));
-      this.moving = Math.round(Math.min(MOVING.most, Math.max(MOVING.least, (this.moving + wanted) / 2)));
-    }
     // The large picture of rest is no part of what is live.
-    if (!this.askedAtRest) this.took.textContent = this.cloud.size ? `${Math.round(took)} ms` : "";
-    if (!this.askedAtRest) this.root.dataset.milliseconds = String(took);
-    this.root.dataset.answers = String(Number(this.root.dataset.answers ?? 0) + 1);
-  }
-
-  /** The preview as it lies under the lamp. */
-  async #light() {
-    const { maps } = this;
-    if (!maps) {
-      this.scene.preview = null;
-      return;
+    if (!this.askedAtRest) {
+      const took = performance.now() - this.asked;
+      this.took.textContent = this.cloud.size ? `${Math.round(took)} ms` : "";
+      this.root.dataset.milliseconds = String(took);
     }
-    const { pixels, width, height, bounds } = maps;
-    const picture = maps.kind === "ink" ? new ImageData(pixels, width, height) : lit(pixels, width, height, this.lamp.side, this.lamp.high);
-    this.scene.preview = { image: await createImageBitmap(picture), bounds };
-    this.scene.invalidate();
+    this.root.dataset.answers = String(Number(this.root.dataset.answers ?? 0) + 1);
   }
 
   #pointsFromPython() {
@@ -467,7 +449,10 @@ class Editor {
   /** `what`: points (and there is more to come), settled, values, mode, selection, view, or everything. */
   changed(what) {
     this.scene.invalidate();
-    if (what === "view") return;
+    if (what === "view") {
+      this.#moved();
+      return;
+    }
     const { cloud } = this;
     const chosen = cloud.selected.size ? ` · ${cloud.selected.size} selected` : "";
     this.howMany.textContent = `${cloud.size.toLocaleString("en")} point${cloud.size === 1 ? "" : "s"}${chosen}`;
@@ -475,9 +460,20 @@ class Editor {
     this.undoButton.disabled = !cloud.past.length;
     this.redoButton.disabled = !cloud.future.length;
     if (what === "selection") return;
+    this.unmeasured = true;
     this.resting = false;
     this.layers.poke();
     if (what !== "points") this.#keepTraits();
+    this.#restLater();
+  }
+
+  /** Another part of a crack, or another size of it, is another picture. */
+  #moved() {
+    if (this.mode !== "crack") return;
+    if (this.scene.preview && !this.preview.covers) {
+      this.resting = false;
+      this.layers.poke();
+    }
     this.#restLater();
   }
 
@@ -485,7 +481,12 @@ class Editor {
   #restLater() {
     clearTimeout(this.rest);
     this.rest = setTimeout(() => {
-      this.measures.poke();
+      if (this.tools.pointers.size) {
+        this.#restLater();
+        return;
+      }
+      if (this.unmeasured) this.measures.poke();
+      this.unmeasured = false;
       if (this.mode !== "crack") return;
       this.resting = true;
       this.layers.poke();

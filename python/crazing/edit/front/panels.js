@@ -24,8 +24,11 @@ function tried(place, action) {
     place.textContent = "";
     try {
       await action();
+      // What an earlier try complained of meanwhile.
+      place.textContent = "";
     } catch (error) {
       place.textContent = error.message;
+      place.scrollIntoView({ block: "nearest" });
     }
   };
 }

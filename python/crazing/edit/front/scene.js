@@ -3,7 +3,10 @@
 const TAU = 2 * Math.PI;
 
 /** What lies thick or thin, of what colour; colours are those of the style sheet. */
-const WIDTHS = { crust: 2.4, curve: 2.2, axis: 1.7, walls: 1.8, solution: 2.6, crack: 1.4, shared: 1.8, "only-first": 2.6, "only-second": 2.6 };
+const WIDTHS = { delaunay: 1, voronoi: 1, crust: 2.4, curve: 2.2, axis: 1.7, walls: 1.8, solution: 2.6, crack: 1.4, shared: 1.8, "only-first": 2.6, "only-second": 2.6 };
+
+/** Segments of one path: browsers that paint without a graphics card take long over the whole of a large one. */
+const AT_ONCE = 32;
 
 export class Scene {
   constructor(canvas, view, cloud, root) {
@@ -52,7 +55,8 @@ export class Scene {
   /** The layers of an answer: lines as one path each, ready to be drawn at any zoom. */
   take(answer, toNumbers) {
     this.origin = answer.origin;
-    this.layers = answer.layers.map(({ name, kind }, i) => ({ name, kind, xy: toNumbers(answer.buffers[i], Float32Array) }));
+    const part = (i) => (i === undefined ? null : toNumbers(answer.buffers[i], Float32Array));
+    this.layers = answer.layers.map(({ name, kind, widths }, i) => ({ name, kind, xy: part(i), widths: part(widths) }));
     this.invalidate();
   }
 
@@ -66,9 +70,10 @@ export class Scene {
     c.fillStyle = this.colors.paper;
     c.fillRect(0, 0, view.width, view.height);
     this.#grid();
-    this.#picture(this.underlay, 0.35);
-    this.#picture(this.preview, 1);
-    this.#layers();
+    this.#picture(this.underlay, 0.35, "high");
+    // It has been made at the size it is seen at, or is about to be.
+    this.#picture(this.preview, 1, "low");
+    this.#plate(wide, tall);
     this.#points();
     this.#marks();
   }
@@ -104,7 +109,7 @@ export class Scene {
     }
   }
 
-  #picture(picture, alpha) {
+  #picture(picture, alpha, quality) {
     if (!picture) return;
     const { context: c, view } = this;
     const [left, low, right, high] = picture.bounds;
@@ -112,24 +117,70 @@ export class Scene {
     const [endX, endY] = view.toScreen(right, low);
     c.globalAlpha = alpha;
     c.imageSmoothingEnabled = true;
-    c.imageSmoothingQuality = "high";
+    c.imageSmoothingQuality = quality;
     c.drawImage(picture.image, x, y, endX - x, endY - y);
     c.globalAlpha = 1;
   }
 
-  #layers() {
+  /** The layers, from a canvas of their own: while only points, cursor or pictures move they are not drawn again. */
+  #plate(wide, tall) {
+    if (!this.layers.length) return;
     const { context: c, view } = this;
-    if (this.mode === "crack" && this.preview && !this.showLines) return;
+    this.plate ??= document.createElement("canvas");
+    const now = [this.layers, this.colors, this.mode, this.split, this.preview, this.showLines, view.x, view.y, view.scale, wide, tall];
+    if (!this.plated || now.some((part, i) => part !== this.plated[i])) {
+      this.plated = now;
+      Object.assign(this.plate, { width: wide, height: tall });
+      const layers = this.plate.getContext("2d");
+      layers.setTransform(wide / view.width, 0, 0, tall / view.height, 0, 0);
+      if (this.mode === "crack" && this.preview && !this.showLines) this.#thin(layers, this.layers[0]);
+      else this.#layers(layers);
+    }
+    c.drawImage(this.plate, 0, 0, view.width, view.height);
+  }
+
+  /** Cracks too thin for the pixels of the preview, as lines: they stay sharp while it is small. */
+  #thin(c, { xy, widths }) {
+    const { view, preview } = this;
+    const [left, top] = view.toScreen(...this.origin);
+    const { scale } = view;
+    const pixel = 1 / (window.devicePixelRatio || 1);
+    // A path for all lines about as thick; those below a pixel are faint instead of thinner.
+    const paths = new Map();
+    for (let i = 0; i < widths.length; i += 1) {
+      const width = widths[i] * scale;
+      if (width <= 0 || widths[i] >= preview.resolved) continue;
+      const [x, y, endX, endY] = [left + xy[4 * i] * scale, top - xy[4 * i + 1] * scale, left + xy[4 * i + 2] * scale, top - xy[4 * i + 3] * scale];
+      if (Math.max(x, endX) < 0 || Math.min(x, endX) > view.width || Math.max(y, endY) < 0 || Math.min(y, endY) > view.height) continue;
+      const thick = width < 1.5 * pixel ? pixel : Math.round(2 * width) / 2;
+      const faint = Math.max(0.25, Math.min(1, Math.round((4 * width) / pixel) / 4));
+      const key = 8 * thick + faint / 2;
+      if (!paths.has(key)) paths.set(key, { thick, faint, path: new Path2D() });
+      const { path } = paths.get(key);
+      path.moveTo(x, y);
+      path.lineTo(endX, endY);
+    }
+    c.strokeStyle = preview.ink;
+    c.lineCap = "round";
+    for (const { thick, faint, path } of paths.values()) {
+      Object.assign(c, { lineWidth: thick, globalAlpha: faint });
+      c.stroke(path);
+    }
+    c.globalAlpha = 1;
+  }
+
+  #layers(c) {
+    const { view } = this;
     if (this.mode !== "compare") {
-      for (const layer of this.layers) this.#layer(layer);
+      for (const layer of this.layers) this.#layer(c, layer);
       return;
     }
     const named = Object.fromEntries(this.layers.map((layer) => [layer.name, layer]));
     if (this.split === null) {
       c.globalAlpha = 0.3;
-      for (const name of ["crust-first", "crust-second"]) this.#layer(named[name]);
+      for (const name of ["crust-first", "crust-second"]) this.#layer(c, named[name]);
       c.globalAlpha = 1;
-      for (const name of ["shared", "only-first", "only-second"]) this.#layer(named[name]);
+      for (const name of ["shared", "only-first", "only-second"]) this.#layer(c, named[name]);
       return;
     }
     const at = this.split * view.width;
@@ -138,8 +189,8 @@ export class Scene {
       c.beginPath();
       c.rect(start, 0, end - start, view.height);
       c.clip();
-      this.#layer(named[`axis-${side}`]);
-      this.#layer(named[`crust-${side}`]);
+      this.#layer(c, named[`axis-${side}`]);
+      this.#layer(c, named[`crust-${side}`]);
       c.restore();
     }
     c.strokeStyle = this.colors.accent;
@@ -150,15 +201,19 @@ export class Scene {
     c.stroke();
   }
 
-  #layer(layer) {
+  #layer(c, layer) {
     if (!layer) return;
-    const { context: c, view } = this;
+    const { view } = this;
     const { xy } = layer;
     // The origin in screen units; the rest is one multiplication a number.
     const [left, top] = view.toScreen(...this.origin);
     const scale = view.scale;
     c.beginPath();
     if (layer.kind === "lines") {
+      c.strokeStyle = this.color(layer.name);
+      c.lineWidth = WIDTHS[layer.name] ?? WIDTHS[layer.name.split("-")[0]] ?? 1.1;
+      c.lineCap = "round";
+      c.lineJoin = "round";
       // What is far outside is left out: the canvas is slow on it.
       const far = 1e5;
       for (let i = 0; i < xy.length; i += 4) {
@@ -169,11 +224,11 @@ export class Scene {
         if (Math.abs(x) > far || Math.abs(y) > far || Math.abs(endX) > far || Math.abs(endY) > far) continue;
         c.moveTo(x, y);
         c.lineTo(endX, endY);
+        if ((i / 4) % AT_ONCE === AT_ONCE - 1 && c.globalAlpha === 1) {
+          c.stroke();
+          c.beginPath();
+        }
       }
-      c.strokeStyle = this.color(layer.name);
-      c.lineWidth = WIDTHS[layer.name] ?? WIDTHS[layer.name.split("-")[0]] ?? 1.1;
-      c.lineCap = "round";
-      c.lineJoin = "round";
       c.stroke();
       return;
     }

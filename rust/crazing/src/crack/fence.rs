@@ -9,7 +9,9 @@ use crate::diagram::scale::{Scale, largest};
 use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};
 use crate::incidence::Incidence;
+use crate::parallel;
 use crate::predicates::orientation;
+use crate::watch::Watch;
 
 /// No triangle that moves may become flatter than this part of the square of its longest side, unless it was:
 /// copies of a place on a torus differ by roundings, and pictures have a resolution.
@@ -71,6 +73,12 @@ impl FenceView<'_> {
 
 const NONE_LEFT: i32 = -1;
 
+/// A part of the way.
+#[inline]
+fn part_of(part: f64, from: Point, to: Point) -> Point {
+    [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])]
+}
+
 /// Vertices that move, and what keeps them from crossing.
 pub(super) struct Guard<'a> {
     fence: FenceView<'a>,
@@ -80,14 +88,18 @@ pub(super) struct Guard<'a> {
     points: Vec<Point>,
     at: Incidence,
     movable: usize,
+    /// No coordinate is much larger than this.
+    large: f64,
 }
 
 impl<'a> Guard<'a> {
     pub(super) fn of(net: NetView<'_>, fence: FenceView<'a>) -> Self {
-        let scale = Scale::of(largest(net.vertices).max(largest(fence.anchors)).max(net.period[0]).max(net.period[1]));
+        let large = largest(net.vertices).max(largest(fence.anchors)).max(net.period[0]).max(net.period[1]);
+        let scale = Scale::of(large);
         let points: Vec<Point> = net.vertices.iter().chain(fence.anchors).map(|&p| scale.down(p)).collect();
-        let at = Incidence::of(points.len(), fence.kites);
-        Self { fence, period: scale.down(net.period), scale, points, at, movable: net.vertices.len() }
+        let at = Incidence::of(net.vertices.len(), fence.kites);
+        let [large, _] = scale.down([large, 0.0]);
+        Self { fence, period: scale.down(net.period), scale, points, at, movable: net.vertices.len(), large }
     }
 
     pub(super) fn place(&self, vertex: usize) -> Point {
@@ -103,48 +115,109 @@ impl<'a> Guard<'a> {
         self.points[..self.movable].iter().map(|&p| self.scale.up(p)).collect()
     }
 
-    /// Moves a vertex by `step`, in the unit of the drawing, as [`Guard::advance`] does.
-    pub(super) fn shove(&mut self, vertex: usize, step: Point) {
+    /// Where a vertex is after `step`, in the unit of the drawing.
+    pub(super) fn shoved(&self, vertex: usize, step: Point) -> Point {
         let (from, step) = (self.points[vertex], self.scale.down(step));
-        self.advance(vertex, [from[0] + step[0], from[1] + step[1]]);
+        [from[0] + step[0], from[1] + step[1]]
     }
 
-    /// Moves a vertex to `target`, in the unit of exact work, or part of the way, or not at all.
-    pub(super) fn advance(&mut self, vertex: usize, target: Point) {
+    /// Moves vertices, each at most once, to targets in the unit of exact work, one after the other: all the way, or
+    /// half of it, or a quarter, or not at all.
+    ///
+    /// Most may go whatever the others do; that is found out on all cores. The rest goes in turn, each seeing those
+    /// before it moved and those behind it not.
+    pub(super) fn advance(&mut self, moves: &[(u32, Point)], watch: Watch<'_>) -> Result<()> {
+        let (mut turn, mut goals) = (vec![u32::MAX; self.points.len()], self.points.clone());
+        for (i, &(vertex, to)) in moves.iter().enumerate() {
+            turn[vertex as usize] = i as u32;
+            goals[vertex as usize] = part_of(1.0, self.points[vertex as usize], to);
+        }
+        let free = parallel::map(self.fence.kites.len(), |row| self.is_free(row, &goals));
+        let is_sure = |i: usize| self.at.at(moves[i].0 as usize).iter().all(|&row| free[row as usize]);
+        let sure = parallel::map(moves.len(), is_sure);
+        let mut after = self.points.clone();
+        for (&(vertex, _), _) in moves.iter().zip(&sure).filter(|(_, sure)| **sure) {
+            after[vertex as usize] = goals[vertex as usize];
+        }
+        for (i, &(vertex, to)) in moves.iter().enumerate().filter(|(i, _)| !sure[*i]) {
+            watch.poll_at(i)?;
+            let now = |other: usize| if turn[other] < i as u32 { after[other] } else { self.points[other] };
+            after[vertex as usize] = self.farthest(vertex as usize, to, now);
+        }
+        self.points = after;
+        Ok(())
+    }
+
+    /// How far towards `to` a vertex may go while the others are where `now` says.
+    fn farthest(&self, vertex: usize, to: Point, now: impl Fn(usize) -> Point) -> Point {
         let from = self.points[vertex];
-        for part in [1.0, 0.5, 0.25] {
-            let to = [0, 1].map(|i| from[i] + part * (target[i] - from[i]));
-            if self.allows(vertex, to) {
-                self.points[vertex] = to;
-                return;
+        let mut places = [1.0, 0.5, 0.25].into_iter().map(|part| part_of(part, from, to));
+        places.find(|&place| self.allows(vertex, place, &now)).unwrap_or(from)
+    }
+
+    /// Whether both triangles of a kite are far from flat wherever its corners are on the way to their goals.
+    ///
+    /// An area is linear in each corner, so its least value is taken where all are at a start or a goal. The floor is
+    /// above that of [`Guard::is_clear`], by enough for all roundings.
+    fn is_free(&self, row: usize, goals: &[Point]) -> bool {
+        let kite = self.fence.kites[row];
+        if kite[2] < 0 || kite[3] < 0 {
+            return false;
+        }
+        let way = |i: usize| {
+            let corner = kite[i] as usize;
+            let start = self.moved(row, i, self.points[corner]);
+            [start, if corner < self.movable { self.moved(row, i, goals[corner]) } else { start }]
+        };
+        let (a, b, left, right) = (way(0), way(1), way(2), way(3));
+        self.paves(a, b, left) && self.paves(b, a, right)
+    }
+
+    /// Whether a triangle is far from flat with its corners at any of their two places; two of `r` may be one.
+    #[inline]
+    fn paves(&self, p: [Point; 2], q: [Point; 2], r: [Point; 2]) -> bool {
+        let (mut least, mut most, mut is_positive) = (f64::INFINITY, 0.0_f64, true);
+        let apexes = if r[0] == r[1] { &r[..1] } else { &r[..] };
+        for r in apexes {
+            for p in &p {
+                let (x, y) = (r[0] - p[0], r[1] - p[1]);
+                for q in &q {
+                    let (u, v) = (q[0] - p[0], q[1] - p[1]);
+                    let area = u * y - v * x;
+                    least = least.min(area);
+                    // No NaN is positive, and a least of some would not show it.
+                    is_positive &= area > 0.0;
+                    most = most.max(u * u + v * v + x * x + y * y);
+                }
             }
         }
+        is_positive && least > 8.0 * FLAT * most && least > 64.0 * f64::EPSILON * self.large * most.sqrt()
     }
 
-    fn allows(&self, vertex: usize, to: Point) -> bool {
+    fn allows(&self, vertex: usize, to: Point, now: impl Fn(usize) -> Point) -> bool {
         to != self.points[vertex]
             && self.at.at(vertex).iter().all(|&row| {
-                if self.is_clear(row as usize, vertex as i32, to) {
+                if self.is_clear(row as usize, vertex as i32, to, &now) {
                     return true;
                 }
                 let kite = self.fence.kites[row as usize];
                 let end = |corner: usize| kite[corner] == vertex as i32;
                 // Vertex and row of a kite may be the same twice: an edge from a place to a copy of it.
                 let (left, right) = (end(0) || end(1) || end(2), end(0) || end(1) || end(3));
-                (!left || self.stays(row as usize, [0, 1, 2], vertex, to))
-                    && (!right || self.stays(row as usize, [1, 0, 3], vertex, to))
+                (!left || self.stays(row as usize, [0, 1, 2], vertex, to, &now))
+                    && (!right || self.stays(row as usize, [1, 0, 3], vertex, to, &now))
             })
     }
 
     /// Whether both triangles of a kite are far from flat after a move: most are, and then no exact arithmetic is needed.
     #[inline]
-    fn is_clear(&self, row: usize, vertex: i32, to: Point) -> bool {
+    fn is_clear(&self, row: usize, vertex: i32, to: Point, now: impl Fn(usize) -> Point) -> bool {
         let kite = self.fence.kites[row];
         if kite[2] < 0 || kite[3] < 0 {
             return false;
         }
         let [a, b, left, right] = [0, 1, 2, 3].map(|i| {
-            let p = if kite[i] == vertex { to } else { self.points[kite[i] as usize] };
+            let p = if kite[i] == vertex { to } else { now(kite[i] as usize) };
             self.moved(row, i, p)
         });
         let from = |p: Point| [p[0] - a[0], p[1] - a[1]];
@@ -160,12 +233,12 @@ impl<'a> Guard<'a> {
     }
 
     /// Whether a triangle of a kite stays counter-clockwise, and is not flattened.
-    fn stays(&self, row: usize, triangle: [usize; 3], vertex: usize, to: Point) -> bool {
+    fn stays(&self, row: usize, triangle: [usize; 3], vertex: usize, to: Point, now: impl Fn(usize) -> Point) -> bool {
         let kite = self.fence.kites[row];
         if kite[triangle[2]] < 0 {
             return false;
         }
-        let point = |i: usize| self.points[kite[i] as usize];
+        let point = |i: usize| now(kite[i] as usize);
         let after = triangle.map(|i| self.moved(row, i, if kite[i] == vertex as i32 { to } else { point(i) }));
         let [a, b, c] = after;
         let square = |p: Point, q: Point| (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
@@ -178,7 +251,10 @@ impl<'a> Guard<'a> {
     #[inline]
     fn moved(&self, row: usize, corner: usize, p: Point) -> Point {
         match self.fence.shifts.get(row) {
-            Some(shift) if corner > 0 => [0, 1].map(|i| p[i] + f64::from(shift[2 * (corner - 1) + i]) * self.period[i]),
+            Some(shift) if corner > 0 => {
+                let turn = |i: usize| f64::from(shift[2 * (corner - 1) + i]) * self.period[i];
+                [p[0] + turn(0), p[1] + turn(1)]
+            }
             _ => p,
         }
     }

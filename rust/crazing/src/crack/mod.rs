@@ -6,6 +6,7 @@ mod growth;
 mod hooks;
 mod impact;
 mod net;
+mod room;
 mod roughen;
 mod split;
 mod straighten;

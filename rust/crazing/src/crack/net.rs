@@ -82,14 +82,14 @@ impl NetView<'_> {
     /// `p` moved by whole periods.
     #[inline]
     pub fn moved(&self, p: Point, shift: [i8; 2]) -> Point {
-        [0, 1].map(|i| p[i] + f64::from(shift[i]) * self.period[i])
+        [p[0] + f64::from(shift[0]) * self.period[0], p[1] + f64::from(shift[1]) * self.period[1]]
     }
 
     /// Both ends of an edge, the first where its vertex lies.
     #[inline]
     pub fn ends(&self, edge: usize) -> [Point; 2] {
-        let [a, b] = self.edges[edge].map(|vertex| self.vertices[vertex as usize]);
-        [a, self.moved(b, self.shift(edge))]
+        let [a, b] = self.edges[edge];
+        [self.vertices[a as usize], self.moved(self.vertices[b as usize], self.shift(edge))]
     }
 
     /// The vertex at an end.

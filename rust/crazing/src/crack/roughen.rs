@@ -2,6 +2,7 @@
 
 use super::fence::{FenceView, Guard};
 use super::net::{Ends, NONE, Net, NetView};
+use super::room::Room;
 use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::parallel;
@@ -9,8 +10,6 @@ use crate::quantile;
 use crate::rng::{Key, block, open_unit, stream};
 use crate::watch::Watch;
 
-/// The part of its kite that an edge may wander in.
-const ROOM: f64 = 0.6;
 /// Most halvings of one edge.
 const DEEPEST: u32 = 8;
 /// An edge is not subdivided when its kite is thinner than this part of its length: roundings could leave it.
@@ -68,16 +67,24 @@ pub fn roughen(
     let vertices = wander(net, fence, how, key, watch)?;
     let moved = NetView { vertices: &vertices, ..net };
     watch.poll()?;
-    let inner = parallel::map(net.edges.len(), |k| pieces(moved, fence, how, key, k));
+    let rooms = parallel::map(net.edges.len(), |k| Room::of(moved, fence, k));
     let mut starts = vec![0_usize];
-    for (k, inner) in inner.iter().enumerate() {
-        starts.push(starts[k] + 1 + inner.len());
+    for (k, room) in rooms.iter().enumerate() {
+        starts.push(starts[k] + (1 << halvings(room, how)));
     }
     let found = starts[net.edges.len()];
     const MOST: usize = (1 << 30) - 1;
     if found > MOST {
         return Err(Error::TooMany { what: "pieces of rough edges; a larger grain is wanted", found, limit: MOST });
     }
+    watch.poll()?;
+    let inner = parallel::ranges(net.edges.len(), |range| {
+        let mut places = Vec::with_capacity(starts[range.end] - starts[range.start] - range.len());
+        let next = libm::exp2(-how.hurst);
+        range.for_each(|k| pieces(moved, &rooms[k], how, next, key, k, &mut places));
+        places
+    });
+    watch.poll()?;
     Ok(assemble(moved, partner, &starts, &inner))
 }
 
@@ -105,12 +112,6 @@ impl Noise {
     }
 }
 
-/// Length of a vector; only those that would over- or underflow take the slow way.
-fn length([x, y]: Point) -> f64 {
-    let square = x * x + y * y;
-    if (1e-280..1e280).contains(&square) { square.sqrt() } else { libm::hypot(x, y) }
-}
-
 impl Roughness {
     /// Standard deviation in the middle of a stretch.
     fn deviation(&self, length: f64) -> f64 {
@@ -130,31 +131,53 @@ fn wander(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, watc
     let is_node = |vertex: usize| ends.at(vertex).len() != 2 || net.cut[vertex];
     let all = 0..2 * net.edges.len() as u32;
     let from_nodes = all.clone().filter(|&end| is_node(net.vertex(end)));
+    let (mut entries, mut starts) = (Vec::new(), vec![0]);
     for (step, end) in from_nodes.chain(all).enumerate() {
         watch.poll_at(step)?;
         if seen[end as usize / 2] {
             continue;
         }
-        let chain = chain(net, &ends, end, &mut seen, is_node);
-        if chain.len() < 2 {
-            continue;
-        }
-        let heights = bridge(net, how, key, &chain);
-        for (pair, height) in chain.windows(2).zip(&heights[1..]) {
-            let (before, after) = (net.along(pair[0]), net.along(pair[1]));
-            let across = [-(before[1] + after[1]), before[0] + after[0]];
-            let length = libm::hypot(across[0], across[1]);
-            if length > 0.0 {
-                guard.shove(net.vertex(pair[1]), [height * across[0] / length, height * across[1] / length]);
-            }
+        chain(net, &ends, end, &mut seen, is_node, &mut entries);
+        // What has no inner vertex does not wander.
+        if entries.len() - starts[starts.len() - 1] < 2 {
+            entries.truncate(starts[starts.len() - 1]);
+        } else {
+            starts.push(entries.len());
         }
     }
+    let moves = parallel::ranges(starts.len() - 1, |range| {
+        let mut moves = Vec::new();
+        range.for_each(|i| bend(net, &guard, how, key, &entries[starts[i]..starts[i + 1]], &mut moves));
+        moves
+    });
+    guard.advance(&moves.concat(), watch)?;
     Ok(guard.into_vertices())
 }
 
-/// The ends to enter edges by, from one node to the next, or once around a ring.
-fn chain(net: NetView<'_>, ends: &Ends, start: u32, seen: &mut [bool], is_node: impl Fn(usize) -> bool) -> Vec<u32> {
-    let (mut chain, mut end) = (Vec::new(), start);
+/// Where the vertices along a chain go.
+fn bend(net: NetView<'_>, guard: &Guard<'_>, how: Roughness, key: Key, chain: &[u32], moves: &mut Vec<(u32, Point)>) {
+    let heights = bridge(net, how, key, chain);
+    for (pair, height) in chain.windows(2).zip(&heights[1..]) {
+        let (before, after) = (net.along(pair[0]), net.along(pair[1]));
+        let across = [-(before[1] + after[1]), before[0] + after[0]];
+        let length = libm::hypot(across[0], across[1]);
+        if length > 0.0 {
+            let (vertex, step) = (net.vertex(pair[1]), across.map(|part| height * part / length));
+            moves.push((vertex as u32, guard.shoved(vertex, step)));
+        }
+    }
+}
+
+/// Adds the ends to enter edges by, from one node to the next, or once around a ring.
+fn chain(
+    net: NetView<'_>,
+    ends: &Ends,
+    start: u32,
+    seen: &mut [bool],
+    is_node: impl Fn(usize) -> bool,
+    chain: &mut Vec<u32>,
+) {
+    let mut end = start;
     while !std::mem::replace(&mut seen[end as usize / 2], true) {
         chain.push(end);
         let out = end ^ 1;
@@ -164,7 +187,6 @@ fn chain(net: NetView<'_>, ends: &Ends, start: u32, seen: &mut [bool], is_node: 
             _ => break,
         }
     }
-    chain
 }
 
 /// Heights at the vertices along a chain; zero at both ends.
@@ -204,57 +226,15 @@ fn halvings(room: &Room, how: Roughness) -> u32 {
     depth
 }
 
-/// The kite of an edge in its own frame: how far along and how far across the apexes lie, left and right.
-struct Room {
-    length: f64,
-    sides: [Point; 2],
-}
-
-impl Room {
-    fn of(net: NetView<'_>, fence: FenceView<'_>, edge: usize) -> Self {
-        let [a, b] = net.ends(edge);
-        let (x, y) = (b[0] - a[0], b[1] - a[1]);
-        let length = self::length([x, y]);
-        let side = |side: usize, sign: f64| {
-            let corner = fence.kites[edge][2 + side];
-            if corner < 0 || length == 0.0 {
-                return [0.0; 2];
-            }
-            let at = corner as usize;
-            let place = if at < net.vertices.len() { net.vertices[at] } else { fence.anchors[at - net.vertices.len()] };
-            let shift = fence.shifts.get(edge).map_or([0; 2], |s| [s[2 + 2 * side], s[3 + 2 * side]]);
-            let apex = net.moved(place, shift);
-            let mut away = [apex[0] - a[0], apex[1] - a[1]];
-            if at < net.vertices.len() {
-                // A triangle between vertices may be about three edges: each has the third up to the middle.
-                away = [(away[0] + x) / 3.0, (away[1] + y) / 3.0];
-            }
-            let [u, v] = away;
-            [(u * x + v * y) / length, (sign * (x * v - y * u) / length).max(0.0)]
-        };
-        Self { length, sides: [side(0, 1.0), side(1, -1.0)] }
-    }
-
-    /// `height` at `x` along the edge, kept within the kite.
-    fn within(&self, x: f64, height: f64) -> f64 {
-        let [along, across] = self.sides[usize::from(height < 0.0)];
-        let left = if along > 0.0 { x / along } else { f64::INFINITY };
-        let right = if along < self.length { (self.length - x) / (self.length - along) } else { f64::INFINITY };
-        let most = ROOM * across * left.min(right).min(1.0);
-        height.clamp(-most, most)
-    }
-}
-
-/// The places of the inner vertices of an edge.
-fn pieces(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, edge: usize) -> Vec<Point> {
-    let room = Room::of(net, fence, edge);
-    let depth = halvings(&room, how);
+/// Adds the places of the inner vertices of an edge; from one level to the next deviation is `next` as large.
+fn pieces(net: NetView<'_>, room: &Room, how: Roughness, next: f64, key: Key, edge: usize, places: &mut Vec<Point>) {
+    let depth = halvings(room, how);
     if depth == 0 {
-        return Vec::new();
+        return;
     }
     let count = 1_usize << depth;
     let mut noise = Noise::of(key, edge, 2);
-    let (mut spread, next) = (how.deviation(room.length), libm::exp2(-how.hurst));
+    let mut spread = how.deviation(room.length);
     let mut heights = [0.0; (1 << DEEPEST) + 1];
     for level in 0..depth {
         let stretch = count >> level;
@@ -266,45 +246,68 @@ fn pieces(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, edge
     }
     let [a, b] = net.ends(edge);
     let (x, y) = ((b[0] - a[0]) / room.length, (b[1] - a[1]) / room.length);
-    (1..count)
-        .map(|i| {
-            let part = i as f64 / count as f64;
-            let height = room.within(part * room.length, heights[i]);
-            [a[0] + part * (b[0] - a[0]) - height * y, a[1] + part * (b[1] - a[1]) + height * x]
-        })
-        .collect()
+    places.extend((1..count).map(|i| {
+        let part = i as f64 / count as f64;
+        let height = room.within(part * room.length, heights[i]);
+        [a[0] + part * (b[0] - a[0]) - height * y, a[1] + part * (b[1] - a[1]) + height * x]
+    }));
 }
 
+/// Piece `i` of edge `k` is edge `starts[k] + i`; the inner vertices follow the old ones in the order of the pieces.
 fn assemble(net: NetView<'_>, partner: &[i32], starts: &[usize], inner: &[Vec<Point>]) -> Rough {
-    let pieces = starts[net.edges.len()];
-    let mut rough = Rough { partner: Vec::with_capacity(2 * pieces), ..Rough::default() };
-    rough.net.vertices = net.vertices.to_vec();
-    rough.net.cut = net.cut.to_vec();
-    rough.net.period = net.period;
+    let old = net.vertices.len();
     let end_of = |end: i32| match end {
         NONE => NONE,
         _ if end % 2 == 0 => 2 * starts[end as usize / 2] as i32,
         _ => 2 * starts[end as usize / 2 + 1] as i32 - 1,
     };
-    for (k, &[from, to]) in net.edges.iter().enumerate() {
-        let last = starts[k + 1] - 1;
-        let mut before = from;
-        for (i, piece) in (starts[k]..=last).enumerate() {
-            let after = if piece == last { to } else { rough.net.vertices.len() as i32 };
-            if piece < last {
-                rough.net.vertices.push(inner[k][i]);
-                rough.net.cut.push(false);
+    let made = parallel::ranges(net.edges.len(), |range| {
+        let count = starts[range.end] - starts[range.start];
+        let mut made = Pieces { edges: Vec::with_capacity(count), ..Pieces::default() };
+        made.partner.reserve(2 * count);
+        made.origin.reserve(count);
+        for k in range {
+            let (first, last) = (starts[k], starts[k + 1] - 1);
+            for piece in first..=last {
+                // The vertex after the piece; every edge before has one piece more than inner vertices.
+                let after = (old + piece - k) as i32;
+                let (near, far) = (2 * piece as i32, 2 * piece as i32 + 1);
+                made.edges.push([
+                    if piece == first { net.edges[k][0] } else { after - 1 },
+                    if piece == last { net.edges[k][1] } else { after },
+                ]);
+                made.partner.push(if piece == first { end_of(partner[2 * k]) } else { near - 1 });
+                made.partner.push(if piece == last { end_of(partner[2 * k + 1]) } else { far + 1 });
+                made.origin.push(k as i32);
+                if !net.shifts.is_empty() {
+                    made.shifts.push(if piece == last { net.shifts[k] } else { [0, 0] });
+                }
             }
-            rough.net.edges.push([before, after]);
-            rough.origin.push(k as i32);
-            let (near, far) = (2 * piece as i32, 2 * piece as i32 + 1);
-            rough.partner.push(if i == 0 { end_of(partner[2 * k]) } else { near - 1 });
-            rough.partner.push(if piece == last { end_of(partner[2 * k + 1]) } else { far + 1 });
-            if !net.shifts.is_empty() {
-                rough.net.shifts.push(if piece == last { net.shifts[k] } else { [0, 0] });
-            }
-            before = after;
         }
+        made
+    });
+    let vertices: Vec<&[Point]> = [net.vertices].into_iter().chain(inner.iter().map(Vec::as_slice)).collect();
+    let vertices = vertices.concat();
+    let mut cut = net.cut.to_vec();
+    cut.resize(vertices.len(), false);
+    let edges = joined(&made, |pieces| &pieces.edges);
+    let shifts = joined(&made, |pieces| &pieces.shifts);
+    Rough {
+        net: Net { vertices, edges, shifts, period: net.period, cut },
+        partner: joined(&made, |pieces| &pieces.partner),
+        origin: joined(&made, |pieces| &pieces.origin),
     }
-    rough
+}
+
+/// The pieces of some edges, as in [`Rough`].
+#[derive(Default)]
+struct Pieces {
+    edges: Vec<[i32; 2]>,
+    shifts: Vec<[i8; 2]>,
+    partner: Vec<i32>,
+    origin: Vec<i32>,
+}
+
+fn joined<T: Copy>(made: &[Pieces], of: impl Fn(&Pieces) -> &Vec<T>) -> Vec<T> {
+    made.iter().map(|pieces| of(pieces).as_slice()).collect::<Vec<_>>().concat()
 }

@@ -1,6 +1,8 @@
 //! Straight cracks: strands are pulled to their chords and slide along them, so that cracks that abut meet them at
 //! right angles.
 
+use std::ops::Range;
+
 use super::fence::{FenceView, Guard};
 use super::net::{Ends, NONE, NetView};
 use crate::error::{Error, Result};
@@ -49,11 +51,8 @@ pub fn straighten(
     for _ in 0..how.rounds {
         watch.poll()?;
         // Where to is decided for all at once, so that the order of moves leaves no trace; then one moves at a time.
-        let targets = parallel::map(passes.len(), |i| target(net, &guard, &passes[i], how));
-        for (i, (pass, &to)) in passes.iter().zip(&targets).enumerate() {
-            watch.poll_at(i)?;
-            guard.advance(pass.vertex as usize, to);
-        }
+        let moves = parallel::map(passes.len(), |i| (passes[i].vertex, target(net, &guard, &passes[i], how)));
+        guard.advance(&moves, watch)?;
     }
     Ok(guard.into_vertices())
 }
@@ -69,25 +68,20 @@ struct Pass {
 
 fn passes(net: NetView<'_>, partner: &[i32]) -> Vec<Pass> {
     let ends = Ends::of(net);
-    let mut passes = Vec::new();
-    for vertex in (0..net.vertices.len()).filter(|&vertex| !net.cut[vertex]) {
+    let pass = |vertex: usize| {
         let here = ends.at(vertex);
-        let pairs = here.iter().filter_map(|&end| {
+        let mut pairs = here.iter().filter_map(|&end| {
             let other = partner[end as usize];
             (other > end as i32).then_some([end as i32, other])
         });
-        let pairs: Vec<[i32; 2]> = pairs.take(2).collect();
-        let Some(&through) = pairs.first() else { continue };
+        let through = pairs.next()?;
         let alone = || here.iter().find(|&&end| partner[end as usize] == NONE).map_or(NONE, |&end| end as i32);
         let abutting = if here.len() == 3 { alone() } else { NONE };
-        passes.push(Pass {
-            vertex: vertex as u32,
-            through,
-            second: pairs.get(1).copied().unwrap_or([NONE; 2]),
-            abutting,
-        });
-    }
-    passes
+        Some(Pass { vertex: vertex as u32, through, second: pairs.next().unwrap_or([NONE; 2]), abutting })
+    };
+    let of_range =
+        |range: Range<usize>| -> Vec<Pass> { range.filter(|&vertex| !net.cut[vertex]).filter_map(pass).collect() };
+    parallel::ranges(net.vertices.len(), of_range).into_iter().flatten().collect()
 }
 
 fn target(net: NetView<'_>, guard: &Guard<'_>, pass: &Pass, how: Straightening) -> Point {

@@ -2,6 +2,7 @@
 
 use super::net::{Ends, NONE, NetView};
 use crate::graph::Point;
+use crate::parallel;
 
 /// Beyond the first pair of a vertex, edges are joined only while the cosine between them is below this.
 const STRAIGHT: f64 = -0.2;
@@ -21,6 +22,8 @@ pub struct Strands {
     pub generation: Vec<i32>,
     /// The ends of the edges along each strand in turn: an end to enter an edge by.
     pub entries: Vec<u32>,
+    /// Length of the edge of each entry.
+    pub spans: Vec<f64>,
     /// Where each strand starts in `entries`, and the end.
     pub starts: Vec<usize>,
     /// Length of each strand.
@@ -31,11 +34,12 @@ pub struct Strands {
 ///
 /// `age` of every edge, low is old, orders the strands; where there is none the longer is the older.
 pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
-    let mut runs = follow(net, partner);
+    let lengths = parallel::map(net.edges.len(), |edge| net.length(edge));
+    let mut runs = follow(net, partner, &lengths);
     let age = |run: &Run| age.get(run.lowest as usize).copied().unwrap_or(0);
     // Oldest first, then longest; equal lengths by their first edge.
     runs.sort_by(|a, b| age(a).cmp(&age(b)).then(b.length.total_cmp(&a.length)).then(a.lowest.cmp(&b.lowest)));
-    number(net, &Ends::of(net), &runs)
+    number(net, &Ends::of(net), &runs, &lengths)
 }
 
 /// Unit vector from an end along its edge.
@@ -52,21 +56,36 @@ fn direction(net: NetView<'_>, end: u32) -> Point {
 pub fn pairs(net: NetView<'_>, sharpest: f64) -> Vec<i32> {
     let ends = Ends::of(net);
     let limit = -libm::cos(sharpest.clamp(0.0, std::f64::consts::PI));
+    let found = parallel::ranges(net.vertices.len(), |range| {
+        let mut found = Vec::with_capacity(range.len());
+        range.for_each(|vertex| pairs_at(net, ends.at(vertex), limit, &mut found));
+        found
+    });
     let mut partner = vec![NONE; 2 * net.edges.len()];
-    for vertex in 0..net.vertices.len() {
-        let here = ends.at(vertex);
-        let mut pairs = candidates(here.iter().map(|&end| (direction(net, end), end)).collect());
-        pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
-        for (rank, &(cosine, a, b)) in pairs.iter().enumerate() {
-            let alone = partner[a as usize] == NONE && partner[b as usize] == NONE;
-            let is_best = rank == 0 && (here.len() == 2 || cosine <= limit || limit >= 1.0);
-            if alone && (is_best || cosine < STRAIGHT.min(limit)) {
-                partner[a as usize] = b as i32;
-                partner[b as usize] = a as i32;
-            }
-        }
+    for [a, b] in found.into_iter().flatten() {
+        partner[a as usize] = b as i32;
+        partner[b as usize] = a as i32;
     }
     partner
+}
+
+/// Adds the pairs of ends at one vertex; the best-aligned turns by a cosine of at most `limit`, but at degree 2.
+fn pairs_at(net: NetView<'_>, here: &[u32], limit: f64, found: &mut Vec<[u32; 2]>) {
+    match *here {
+        [] | [_] => return,
+        [a, b] => return found.push([a, b]),
+        _ => {}
+    }
+    let mut pairs = candidates(here.iter().map(|&end| (direction(net, end), end)).collect());
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let before = found.len();
+    for (rank, &(cosine, a, b)) in pairs.iter().enumerate() {
+        let alone = found[before..].iter().flatten().all(|&end| end != a && end != b);
+        let is_best = rank == 0 && (cosine <= limit || limit >= 1.0);
+        if alone && (is_best || cosine < STRAIGHT.min(limit)) {
+            found.push([a, b]);
+        }
+    }
 }
 
 /// Pairs of ends at one vertex that may continue each other, with the cosine between them.
@@ -88,7 +107,7 @@ struct Run {
     lowest: u32,
 }
 
-fn follow(net: NetView<'_>, partner: &[i32]) -> Vec<Run> {
+fn follow(net: NetView<'_>, partner: &[i32], lengths: &[f64]) -> Vec<Run> {
     let mut seen = vec![false; net.edges.len()];
     let ends = 0..2 * net.edges.len() as u32;
     // Open strands from their ends, then rings from their lowest edge.
@@ -96,32 +115,33 @@ fn follow(net: NetView<'_>, partner: &[i32]) -> Vec<Run> {
     let mut runs = Vec::new();
     for tip in tips.chain(ends) {
         if !seen[tip as usize / 2] {
-            runs.push(run(net, partner, tip, &mut seen));
+            runs.push(run(lengths, partner, tip, &mut seen));
         }
     }
     runs
 }
 
-fn run(net: NetView<'_>, partner: &[i32], tip: u32, seen: &mut [bool]) -> Run {
+fn run(lengths: &[f64], partner: &[i32], tip: u32, seen: &mut [bool]) -> Run {
     let mut run = Run { entries: Vec::new(), length: 0.0, lowest: tip / 2 };
     let mut entry = tip as i32;
     while entry != NONE && !std::mem::replace(&mut seen[entry as usize / 2], true) {
         let edge = entry as u32 / 2;
         run.entries.push(entry as u32);
         run.lowest = run.lowest.min(edge);
-        run.length += net.length(edge as usize);
+        run.length += lengths[edge as usize];
         entry = partner[(entry ^ 1) as usize];
     }
     run
 }
 
-fn number(net: NetView<'_>, ends: &Ends, runs: &[Run]) -> Strands {
+fn number(net: NetView<'_>, ends: &Ends, runs: &[Run], lengths: &[f64]) -> Strands {
     let mut strands = Strands { of_edge: vec![-1; net.edges.len()], starts: vec![0], ..Strands::default() };
     for (strand, run) in runs.iter().enumerate() {
         for &entry in &run.entries {
             strands.of_edge[entry as usize / 2] = strand as i32;
         }
         strands.entries.extend(&run.entries);
+        strands.spans.extend(run.entries.iter().map(|&entry| lengths[entry as usize / 2]));
         strands.starts.push(strands.entries.len());
         strands.length.push(run.length);
     }

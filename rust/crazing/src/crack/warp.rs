@@ -4,6 +4,7 @@ use super::fence::{FenceView, Guard};
 use super::net::NetView;
 use crate::error::{Error, Result};
 use crate::graph::Point;
+use crate::parallel;
 use crate::rng::{Key, Rng, stream};
 use crate::watch::Watch;
 
@@ -33,11 +34,13 @@ pub fn warp(
     }
     let waves = Waves::of(bounds, net.shifts.is_empty(), key);
     let mut guard = Guard::of(net, fence);
-    for vertex in (0..net.vertices.len()).filter(|&vertex| !net.cut[vertex]) {
-        watch.poll_at(vertex)?;
-        let [x, y] = waves.at(net.vertices[vertex]);
-        guard.shove(vertex, [amplitude * x, amplitude * y]);
-    }
+    watch.poll()?;
+    let free: Vec<u32> = (0..net.vertices.len() as u32).filter(|&vertex| !net.cut[vertex as usize]).collect();
+    let moves = parallel::map(free.len(), |i| {
+        let [x, y] = waves.at(net.vertices[free[i] as usize]);
+        (free[i], guard.shoved(free[i] as usize, [amplitude * x, amplitude * y]))
+    });
+    guard.advance(&moves, watch)?;
     Ok(guard.into_vertices())
 }
 

@@ -4,6 +4,7 @@ use super::net::NetView;
 use super::strand::Strands;
 use crate::error::{Error, Result};
 use crate::graph::Point;
+use crate::parallel;
 use crate::quantile;
 use crate::rng::{Key, block, open_unit, stream};
 
@@ -57,39 +58,59 @@ pub fn widths(net: NetView<'_>, strands: &Strands, profile: Profile, key: Key) -
     check(&profile)?;
     let degree = net.degrees();
     let longest = strands.length.iter().fold(f64::MIN_POSITIVE, |longest, &length| longest.max(length));
+    let found = parallel::ranges(strands.length.len(), |range| {
+        let mut found = Vec::with_capacity(strands.starts[range.end] - strands.starts[range.start]);
+        range.for_each(|strand| along(net, strands, &profile, key, &degree, longest, strand, &mut found));
+        found
+    });
     let mut widths = vec![[0.0; 2]; net.edges.len()];
-    for (strand, &length) in strands.length.iter().enumerate() {
-        let entries = &strands.entries[strands.starts[strand]..strands.starts[strand + 1]];
-        let tip = |end: u32| {
-            let vertex = net.vertex(end);
-            Tip::of(degree[vertex], !net.cut[vertex])
-        };
-        let (Some(&first), Some(&last)) = (entries.first(), entries.last()) else { continue };
-        let generation = strands.generation[first as usize / 2];
-        let full = profile.width
-            * libm::pow(length / longest, profile.hierarchy)
-            * libm::pow(profile.shrink, f64::from(generation));
-        let shape = Shape {
-            full: full * factor(profile.unevenness, key, strand, 0),
-            length,
-            reach: profile.taper * length,
-            tips: [tip(first), tip(last ^ 1)],
-            abutting: profile.abutting,
-        };
-        let mut uneven = Uneven::of(&profile, key, strand);
-        let mut at =
-            |run: f64, end: u32| shape.at(run) * uneven.at(run) * faded(net, &profile, net.vertices[net.vertex(end)]);
-        let (mut run, mut before) = (0.0, at(0.0, first));
-        for &entry in entries {
-            let edge = entry as usize / 2;
-            run += net.length(edge);
-            let after = at(run, entry ^ 1);
-            widths[edge][entry as usize % 2] = before;
-            widths[edge][1 - entry as usize % 2] = after;
-            before = after;
-        }
+    for (&entry, [before, after]) in strands.entries.iter().zip(found.into_iter().flatten()) {
+        let (edge, side) = (entry as usize / 2, entry as usize % 2);
+        widths[edge][side] = before;
+        widths[edge][1 - side] = after;
     }
     Ok(widths)
+}
+
+/// Adds the widths before and after each edge of a strand, in the order of its entries.
+#[allow(clippy::too_many_arguments, reason = "what all strands share is found once")]
+fn along(
+    net: NetView<'_>,
+    strands: &Strands,
+    profile: &Profile,
+    key: Key,
+    degree: &[u32],
+    longest: f64,
+    strand: usize,
+    found: &mut Vec<[f64; 2]>,
+) {
+    let (length, entries) =
+        (strands.length[strand], &strands.entries[strands.starts[strand]..strands.starts[strand + 1]]);
+    let tip = |end: u32| {
+        let vertex = net.vertex(end);
+        Tip::of(degree[vertex], !net.cut[vertex])
+    };
+    let (Some(&first), Some(&last)) = (entries.first(), entries.last()) else { return };
+    let generation = strands.generation[first as usize / 2];
+    let full = profile.width
+        * libm::pow(length / longest, profile.hierarchy)
+        * libm::pow(profile.shrink, f64::from(generation));
+    let shape = Shape {
+        full: full * factor(profile.unevenness, key, strand, 0),
+        length,
+        reach: profile.taper * length,
+        tips: [tip(first), tip(last ^ 1)],
+        abutting: profile.abutting,
+    };
+    let mut uneven = Uneven::of(profile, key, strand);
+    let mut at = |run: f64, end: u32| shape.at(run) * uneven.at(run) * faded(net, profile, end);
+    let (mut run, mut before) = (0.0, at(0.0, first));
+    for (&entry, span) in entries.iter().zip(&strands.spans[strands.starts[strand]..]) {
+        run += span;
+        let after = at(run, entry ^ 1);
+        found.push([before, after]);
+        before = after;
+    }
 }
 
 fn check(profile: &Profile) -> Result<()> {
@@ -148,10 +169,12 @@ impl Uneven {
     }
 }
 
-fn faded(net: NetView<'_>, profile: &Profile, p: Point) -> f64 {
+/// The part of the width that is left at the vertex of an end.
+fn faded(net: NetView<'_>, profile: &Profile, end: u32) -> f64 {
     if profile.fade == 0.0 {
         return 1.0;
     }
+    let p = net.vertices[net.vertex(end)];
     let nearest = |i: usize| {
         let (apart, period) = (p[i] - profile.source[i], net.period[i]);
         if period > 0.0 { apart - (apart / period).round() * period } else { apart }

@@ -1,0 +1,55 @@
+//! The room that a rough edge has: its kite, which no other edge enters.
+
+use super::fence::FenceView;
+use super::net::NetView;
+use crate::graph::Point;
+
+/// The part of its kite that an edge may wander in.
+const ROOM: f64 = 0.6;
+
+/// Length of a vector; only those that would over- or underflow take the slow way.
+fn length([x, y]: Point) -> f64 {
+    let square = x * x + y * y;
+    if (1e-280..1e280).contains(&square) { square.sqrt() } else { libm::hypot(x, y) }
+}
+
+/// The kite of an edge in its own frame: how far along and how far across the apexes lie, left and right.
+pub(super) struct Room {
+    pub(super) length: f64,
+    pub(super) sides: [Point; 2],
+}
+
+impl Room {
+    pub(super) fn of(net: NetView<'_>, fence: FenceView<'_>, edge: usize) -> Self {
+        let [a, b] = net.ends(edge);
+        let (x, y) = (b[0] - a[0], b[1] - a[1]);
+        let length = self::length([x, y]);
+        let side = |side: usize, sign: f64| {
+            let corner = fence.kites[edge][2 + side];
+            if corner < 0 || length == 0.0 {
+                return [0.0; 2];
+            }
+            let at = corner as usize;
+            let place = if at < net.vertices.len() { net.vertices[at] } else { fence.anchors[at - net.vertices.len()] };
+            let shift = fence.shifts.get(edge).map_or([0; 2], |s| [s[2 + 2 * side], s[3 + 2 * side]]);
+            let apex = net.moved(place, shift);
+            let mut away = [apex[0] - a[0], apex[1] - a[1]];
+            if at < net.vertices.len() {
+                // A triangle between vertices may be about three edges: each has the third up to the middle.
+                away = [(away[0] + x) / 3.0, (away[1] + y) / 3.0];
+            }
+            let [u, v] = away;
+            [(u * x + v * y) / length, (sign * (x * v - y * u) / length).max(0.0)]
+        };
+        Self { length, sides: [side(0, 1.0), side(1, -1.0)] }
+    }
+
+    /// `height` at `x` along the edge, kept within the kite.
+    pub(super) fn within(&self, x: f64, height: f64) -> f64 {
+        let [along, across] = self.sides[usize::from(height < 0.0)];
+        let left = if along > 0.0 { x / along } else { f64::INFINITY };
+        let right = if along < self.length { (self.length - x) / (self.length - along) } else { f64::INFINITY };
+        let most = ROOM * across * left.min(right).min(1.0);
+        height.clamp(-most, most)
+    }
+}
