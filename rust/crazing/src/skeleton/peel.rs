@@ -25,8 +25,8 @@ pub fn peeled(view: DiagramView<'_>, axis: &[bool], worth: &[f64], least: f64, w
     let mut tree = Tree::of(view, axis);
     let mut weak: Vec<u32> = Vec::new();
     let mut sets = DisjointSets::new(view.vertices.len());
-    for k in 0..wanted {
-        let is_weak = worth[k] < least;
+    for (k, &worth) in worth.iter().enumerate() {
+        let is_weak = worth < least;
         match tree.is_drawn(k) {
             true if is_weak => weak.push(k as u32),
             true => drop(sets.unite(tree.duals[k][0] as usize, tree.duals[k][1] as usize)),

@@ -50,8 +50,11 @@ pub fn drawn(trouble: &str, n: usize, torus: bool, opening: f64, seed: u64) -> (
     (within(d.view(), &open, bounds).unwrap(), bounds)
 }
 
+/// The two ends of a segment, and their names: vertex and copy of the torus.
+pub type Segment = ([Point; 2], [(i32, [i32; 2]); 2]);
+
 /// Segments as drawn; of a torus those of 3 x 3 copies. With the name of both ends.
-pub fn segments(net: NetView<'_>) -> Vec<([Point; 2], [(i32, [i32; 2]); 2])> {
+pub fn segments(net: NetView<'_>) -> Vec<Segment> {
     let around: &[i32] = if net.shifts.is_empty() { &[0] } else { &[-1, 0, 1] };
     let copies = around.iter().flat_map(|&x| around.iter().map(move |&y| [x, y]));
     let one = |copy: [i32; 2], k: usize| {
@@ -67,7 +70,7 @@ pub fn segments(net: NetView<'_>) -> Vec<([Point; 2], [(i32, [i32; 2]); 2])> {
 }
 
 /// Whether two segments meet anywhere but at a common end.
-pub fn cross(p: &([Point; 2], [(i32, [i32; 2]); 2]), q: &([Point; 2], [(i32, [i32; 2]); 2])) -> bool {
+pub fn cross(p: &Segment, q: &Segment) -> bool {
     let ([a, b], [c, d]) = (p.0, q.0);
     let apart = |i: usize| a[i].max(b[i]) < c[i].min(d[i]) || c[i].max(d[i]) < a[i].min(b[i]);
     if apart(0) || apart(1) {
