@@ -159,6 +159,9 @@ def render(
     threads: int,
     out: NDArray[np.uint8],
 ) -> None: ...
+def extent(
+    pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints], period: tuple[float, float] | None
+) -> tuple[float, float]: ...
 def plates(
     pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints],
     bounds: _Bounds,

@@ -78,6 +78,13 @@ pub(crate) fn plates<'py>(
     Ok((table(py, found.plates)?, table::<f64, 4>(py, middles)?, PyArray1::from_vec(py, found.reaches)))
 }
 
+/// The length of all edges of a crack together, and the width that one end in twenty exceeds.
+#[pyfunction]
+pub(crate) fn extent(py: Python<'_>, pattern: PatternArrays<'_>, period: Option<[f64; 2]>) -> PyResult<(f64, f64)> {
+    let pattern = view(&pattern)?;
+    detached(py, |_| crazing::texture::extent(&pattern, period)).map(|found| (found.length, found.widest))
+}
+
 /// Writes the maps in `out`, C-contiguous arrays by name, for a window (top, left, height, width) of a picture.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, reason = "the face passes them one by one")]
