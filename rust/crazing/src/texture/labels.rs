@@ -40,8 +40,9 @@ impl Scene<'_> {
                 labels.extend(page.ids.iter().map(|&id| given[set.pieces[id as usize].edge as usize]));
             }
         }
-        if self.wants.cell {
-            rows.cells.clear();
+        rows.cells.clear();
+        // A lone plate has the number 0.
+        if self.wants.cell && self.sides.reaches.len() > 1 {
             rows.cells.resize(page.ids.len() * CODES as usize, UNKNOWN);
         }
     }
@@ -84,6 +85,10 @@ impl Scene<'_> {
             return out.fill(0);
         }
         for (nth, (out, codes)) in out.chunks_mut(LANES).zip(row.code.chunks(LANES)).enumerate() {
+            if is_one(codes) && cells[codes[0] as usize] >= 0 {
+                out.fill(cells[codes[0] as usize]);
+                continue;
+            }
             let mut least = 0;
             for (out, &code) in out.iter_mut().zip(codes) {
                 *out = cells[code as usize];
@@ -159,4 +164,10 @@ impl Fans {
         let amid = [0, 1].map(|axis| ahead[axis] + across[axis]);
         self.beyond(vertex, amid).map(|(half, _)| Some(half))
     }
+}
+
+/// Whether pixels are alike.
+#[inline(always)]
+fn is_one(codes: &[u32]) -> bool {
+    codes.iter().fold(true, |all, code| all & (*code == codes[0]))
 }

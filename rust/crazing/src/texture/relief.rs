@@ -47,13 +47,14 @@ impl Scene<'_> {
         let mut height = stretch(&mut maps.height, row, 1);
         let mut normal = stretch(&mut maps.normal, row, 3).map(|out| out.as_chunks_mut().0);
         let mut sky = stretch(&mut maps.ao, row, 1);
-        let empty = row.page.ids.is_empty();
         let reach = if self.plain { self.profile.reach } else { f32::INFINITY };
+        let is_near = |distances: &[f32]| distances.iter().fold(false, |any, &distance| any | (distance < reach));
+        let step = if is_near(row.distance) { LANES } else { row.width() };
         let (mut ground, mut relief) = (Ground::default(), Relief::default());
-        for (nth, distances) in row.distance.chunks(LANES).enumerate() {
-            let first = nth * LANES;
+        for (nth, distances) in row.distance.chunks(step).enumerate() {
+            let first = nth * step;
             let last = first + distances.len();
-            if empty || !distances.iter().fold(false, |any, &distance| any | (distance < reach)) {
+            if !is_near(distances) {
                 // Beyond the rims all is level.
                 height.iter_mut().for_each(|out| out[first..last].fill(self.profile.top));
                 normal.iter_mut().for_each(|out| out[first..last].fill(UP));
