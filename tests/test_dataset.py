@@ -147,6 +147,8 @@ def test_another_data_set_is_refused(tmp_path: Path) -> None:
     before = files(tmp_path)
     with pytest.raises(cz.CrazingError, match="another data set: its size is"):
         cz.dataset(2, size=32, rng=6).write(tmp_path)
+    with pytest.raises(cz.CrazingError, match=r"another data set: it was made with another seed; another folder"):
+        cz.dataset(2, size=24, rng=7).write(tmp_path)
     assert files(tmp_path) == before
     (tmp_path / "dataset.json").write_text("{")
     with pytest.raises(cz.CrazingError, match="damaged"):
@@ -189,6 +191,20 @@ def test_the_command_makes_the_same_folder(tmp_path: Path) -> None:
     assert told["pictures"] == told["made"] == told["train"] + told["val"] + told["test"] == 3
     cz.dataset(3, presets=["rock", "ice"], size=(24, 32), labels=["mask", "strand"], rng=4).write(tmp_path / "called")
     assert files(tmp_path / "told") == files(tmp_path / "called")
+
+
+def test_the_same_command_without_a_seed_goes_on(tmp_path: Path) -> None:
+    words = ["--size", 24, "--preset", "rock,ice", "--preset", "glaze"]
+    assert run("dataset", "-n", 2, *words, "-o", tmp_path / "a").exit_code == 0
+    before = files(tmp_path / "a")
+    result = run("dataset", "-n", 4, *words, "--json", "-o", tmp_path / "a")
+    assert result.exit_code == 0, result.output
+    told, after = json.loads(result.stdout), files(tmp_path / "a")
+    assert told["made"] == 2 and told["seed"] is None
+    pictures = [name for name in before if name.endswith(("0.png", "1.png"))]
+    assert len(pictures) == 4 and all(before[name] == after[name] for name in pictures)
+    assert "the seed it had" in run("dataset", "-n", 4, *words, "-o", tmp_path / "a").stdout
+    refused(run("dataset", "-n", 4, *words, "--seed", 5, "-o", tmp_path / "a"), "another seed")
 
 
 def test_the_command_refuses(tmp_path: Path) -> None:

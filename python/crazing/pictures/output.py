@@ -55,7 +55,7 @@ class Wanted:
         layouts.named(self.layout)
         layouts.checked_name(self.name)
         if not arguments.number(self.metres, "metres", low=0.0) > 0:
-            raise ValueError("metres is 0; the size of a data unit is wanted")
+            raise ValueError("metres is 0; a number above 0, the size of a data unit, is wanted")
 
 
 def is_file(path: str | os.PathLike[str]) -> bool:
