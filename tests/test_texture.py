@@ -254,26 +254,6 @@ def test_lit_textures_tile(torus):
     np.testing.assert_array_equal(np.tile(lit, (2, 2, 1)), four)
 
 
-def test_black_cracks_stay_black_under_the_lamp():
-    """A rough surface mirrors some hundredth of the light: F / 4 for Blinn's facets, over the lamp's own cosine."""
-    black = cz.Material(
-        plate=["#000"], crack="#000", dirt="#000", worn="#000", relief=0, roughness=1, roughness_spread=0
-    )
-    lit = cz.texture(lines([[0, 0, 1, 1]], [[0.1, 0.1]]), 16, maps="all", material=black).lit(light=(0, 0, 1))
-    sent = (lit / 255 / 12.92).max() if lit.max() <= 10 else (((lit / 255 + 0.055) / 1.055) ** 2.4).max()
-    assert 0.002 < sent <= 0.015
-
-
-def test_debris_lies_in_cracks_only(net):
-    clean = cz.Material(crack="#000", dirt="#fff", dirt_amount=0, wear=0)
-    bare = cz.texture(net, 96, maps=["color", "mask"], material=clean, seed=1)
-    littered = cz.texture(net, 96, maps=["color"], material=dataclasses.replace(clean, debris=1), seed=1)["color"]
-    outside = bare["mask"] == 0
-    np.testing.assert_array_equal(littered[outside], bare["color"][outside])
-    inside = bare["mask"] == 255
-    assert (littered[inside] >= bare["color"][inside]).all() and np.ptp(littered[inside].astype(int)) > 100
-
-
 @pytest.mark.parametrize("name", cz.presets())
 def test_every_preset_has_a_material_of_its_own(name):
     material = cz.texture_plan(lines([[0, 0, 1, 1]], [[0.1, 0.1]]), 8, material=name).material
