@@ -212,3 +212,13 @@ def test_the_command_refuses(tmp_path: Path) -> None:
     refused(run("dataset", "-o", tmp_path / "no" / "folder"), "lies in no folder")
     refused(run("dataset", "--size", "big", "-o", tmp_path / "a"), "'big'")
     assert not (tmp_path / "a").exists()
+
+
+def test_labels_come_as_asked_for_and_may_be_written_to() -> None:
+    asked = ["strand", "mask", "distance", "coverage", "cell"]
+    made = cz.dataset(1, presets="glaze", size=32, labels=asked, rng=1)[0]
+    assert list(made.labels) == asked
+    for array in (made.image, *made.labels.values()):
+        assert array.flags.writeable and array.flags.owndata and array.flags.c_contiguous
+    with pytest.raises(TypeError, match="index is 'mask'; an integer or a slice"):
+        cz.dataset(1)["mask"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 
 import numpy as np
+import pytest
 
 import crazing as cz
 from test_texture import lines
@@ -41,3 +42,10 @@ def test_a_plate_around_a_torus_is_level():
     assert (border == border[0]).all()
     np.testing.assert_allclose(maps["normal"][0], [[0, 0, 1]] * 128, atol=1e-6)
     assert (maps["normal"][..., 2] < 0.999).mean() > 0.05
+
+
+def test_a_map_that_is_not_there_is_named():
+    t = cz.texture(lines([[0, 0, 1, 1]], [[0.1, 0.1]]), 8, maps=["height", "mask"])
+    with pytest.raises(KeyError, match=r"no map 'hieght' .did you mean 'height'"):
+        t["hieght"]
+    assert "color" not in t and t.get("color") is None

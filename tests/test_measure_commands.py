@@ -68,6 +68,8 @@ def test_masks_of_zeros_and_ones_are_masks(folder: Path) -> None:
     assert shown.stdout == run(folder, "measure", "mask.png").stdout
     for integers in (np.uint8, np.int32, np.uint16):
         assert cz.measure(mask.astype(integers)) == cz.measure(mask)
+    with pytest.raises(TypeError, match="read_image"):
+        cz.measure("mask.png")
     # Two is no mask of zeros and ones, and hardly brighter than black.
     assert cz.measure(2 * mask.astype(np.uint8)).nodes == 0
 

@@ -81,3 +81,7 @@ def test_other_faults_are_named(tmp_path: Path) -> None:
         cz.crack(period=(1, 1), bounds=(0, 0, 1, 1))
     with pytest.raises(FileNotFoundError):
         cz.Recipe.load(tmp_path / "none.toml")
+    with pytest.raises(TypeError, match="preset='glaze'"):
+        cz.crack("glaze")
+    with pytest.raises(ValueError, match=r"'thicknes' \(did you mean 'thickness'"):
+        cz.crack(thicknes=1)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -204,6 +206,8 @@ def as_mask(picture: ArrayLike, *, level: float = 0.5, dark: bool = False) -> ND
     array([[ True, False]])
     """
     level = number(level, "level")
+    if isinstance(picture, (str, os.PathLike)):
+        raise TypeError(f"mask is {os.fspath(picture)!r}; pixels are wanted: crazing.images.read_image reads a file")
     array = np.asarray(picture)
     if array.ndim == 2 and array.size and array.dtype.kind in "iu" and array.min() >= 0 and array.max() <= 1:
         array = array.astype(bool)

@@ -537,6 +537,8 @@ def crack(
     recipe = (Recipe() if preset is None else _named(preset)).replace(
         **{name: value for name, value in changes.items() if value is not None}
     )
+    if isinstance(points, str):
+        raise TypeError(f"points is {points!r}; coordinates are wanted; a kind of crack is named by preset={points!r}")
     if points is not None and n is not None:
         raise ValueError("points and n are both given; n is for uniform points without points")
     return recipe.crack(points, width=width, source=source, density=density, bounds=bounds, period=period, rng=rng)
