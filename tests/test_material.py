@@ -49,3 +49,15 @@ def test_a_map_that_is_not_there_is_named():
     with pytest.raises(KeyError, match=r"no map 'hieght' .did you mean 'height'"):
         t["hieght"]
     assert "color" not in t and t.get("color") is None
+
+
+@pytest.mark.parametrize("width", [1, 2, 3, 7, 8, 9])
+def test_narrow_pictures_are_cut_from_wide_ones(width):
+    c = cz.preset("bark").crack(rng=7)
+    maps = ["mask", "color", "height", "normal", "cell"]
+    wide = cz.texture(c, 64, maps=maps, material="bark", seed=1)
+    for left in (0, 40, 64 - width):
+        bounds = (left / 64, 0, (left + width) / 64, 1)
+        narrow = cz.texture(c, (64, width), maps=maps, material="bark", seed=1, bounds=bounds)
+        for name in maps:
+            np.testing.assert_array_equal(narrow[name], wide[name][:, left : left + width], err_msg=name)

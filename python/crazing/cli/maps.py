@@ -15,7 +15,7 @@ from crazing import _core, provenance
 from crazing.arguments import meant
 from crazing.cli.progress import rows
 from crazing.material import preset_material
-from crazing.pictures.output import is_file, words
+from crazing.pictures.output import is_file, refuse_others, words
 
 #: What a folder gets when no maps are named; a single file gets the colour.
 USUAL = ("color", "normal", "height", "ao", "roughness")
@@ -51,6 +51,7 @@ class Order:
 
     def make(self) -> dict[str, Any]:
         """Makes the files; a report of them."""
+        refuse_others(self.output)
         recipe, material = self._recipe()
         frame = self._frame()
         crack = recipe.crack(**frame, width=self.width, rng=self.seed)
