@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import json
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any, TypeAlias
 from xml.etree import ElementTree
 
@@ -208,20 +208,7 @@ def _from_geojson(text: str) -> list[tuple[float, float]]:
         root = json.loads(text)
     except (ValueError, RecursionError) as error:
         raise CrazingError(f"the GeoJSON cannot be read: {error}") from None
-    return list(_positions(root))
-
-
-def _positions(root: Any) -> Iterator[tuple[float, float]]:
-    """Every position in the file's order, without recursion: nesting is the file's choice."""
-    left = [root]
-    while left:
-        node = left.pop()
-        if isinstance(node, dict):
-            inner = [node.get(word) for word in ("features", "geometry", "geometries", "coordinates")]
-            left.extend(reversed([part for part in inner if part is not None]))
-        elif isinstance(node, list) and len(node) >= 2 and all(type(part) in (int, float) for part in node):
-            yield arguments.number(node[0], "a coordinate"), arguments.number(node[1], "a coordinate")
-        elif isinstance(node, list):
-            left.extend(reversed(node))
-        else:
-            raise CrazingError(f"the GeoJSON holds {str(node)[:40]!r} where positions are wanted")
+    try:
+        return list(arguments.positions(root, "the GeoJSON"))
+    except ValueError as error:
+        raise CrazingError(str(error)) from None
