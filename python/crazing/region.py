@@ -192,6 +192,8 @@ def _traced(picture: NDArray[Any], name: str) -> Region:
     if picture.dtype.kind != "b":
         rim = np.concatenate([grey[0], grey[-1], grey[:, 0], grey[:, -1]])
         grey = 1.0 - grey if np.median(rim) > 0.5 else grey
+    if grey.max() <= 0.5:
+        raise CrazingError(f"{name} has nothing inside: nothing differs from its border by more than a half")
     found = contours(np.pad(grey, 1))
     rings = [line - 1.0 for line in found.lines if len(line) > 2]
     plain = [_plain(line, _STEPS) for line in rings]
