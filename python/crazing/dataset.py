@@ -154,7 +154,8 @@ class Dataset(Sequence[LabelledImage]):
         >>> cz.dataset(20, rng=1).drawn(9) == data.drawn(9)
         True
         """
-        kind, scale, turn, rise, bright, part = sample.uniform(3, rng=self._seed(index, 0)).ravel().tolist()
+        row = arguments.count(index, "index")
+        kind, scale, turn, rise, bright, part = sample.uniform(3, rng=self._seed(row, 0)).ravel().tolist()
         name = self.presets[int(kind * len(self.presets))]
         angle = 2.0 * math.pi * turn
         return {
@@ -307,6 +308,8 @@ def dataset(
 
 
 def _several(value: str | Sequence[str], name: str) -> tuple[str, ...]:
+    if not np.iterable(value):
+        raise TypeError(f"{name} is {arguments.found(value)}; one name or more are wanted")
     words = (value,) if isinstance(value, str) else tuple(value)
     if not words or len(set(words)) < len(words):
         raise ValueError(f"{name} is {words!r}; one name or more, none of them twice, are wanted")

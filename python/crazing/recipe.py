@@ -274,7 +274,7 @@ class Recipe:
         CrazingError
             If a coordinate is NaN or infinite.
         """
-        seed = np.random.default_rng(rng)
+        seed = _rng.generator(rng)
         torus = None if period is None else period_pair(period)
         if torus is not None and bounds is not None:
             raise ValueError("bounds and period are both given; a periodic picture is one period")
