@@ -99,7 +99,15 @@ def crack_widths(
     net: _Net, partner: _Ints, age: _Ints, widths: _Widths, key: _Key
 ) -> tuple[_Floats, _Ints, _Ints, _Ints]: ...
 def crack_roughen(
-    net: _Net, partner: _Ints, fence: _Fence, amplitude: float, hurst: float, unit: float, grain: float, key: _Key
+    net: _Net,
+    partner: _Ints,
+    fence: _Fence,
+    amplitude: float,
+    hurst: float,
+    unit: float,
+    grain: float,
+    rounding: float,
+    key: _Key,
 ) -> tuple[_Net, _Ints, _Ints]: ...
 def crack_parted(net: _Net, partner: _Ints, sharpest: float, reach: float) -> _Mask: ...
 def crack_stubs(

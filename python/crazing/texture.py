@@ -171,7 +171,13 @@ class Texture(Mapping[str, NDArray[Any]]):
             array.flags.writeable = False
 
     def __getitem__(self, name: str) -> NDArray[Any]:
-        return self.maps[name]
+        try:
+            return self.maps[name]
+        except KeyError:
+            kept = ", ".join(self.maps)
+            raise KeyError(
+                f"the texture has no map {name!r}{arguments.meant(name, self.maps)}; it has {kept}"
+            ) from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.maps)

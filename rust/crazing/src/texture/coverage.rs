@@ -71,7 +71,7 @@ fn ink(piece: &Piece, corner: [i64; 2], width: usize, rows: &mut [u8]) {
                 chunk += LANES;
             }
         } else {
-            for (column, pixel) in (start..end).zip(&mut line[start..end.max(start)]) {
+            for (column, pixel) in (start..end).zip(&mut line[start..end]) {
                 let x = from[0] + column as i64 * UNIT + UNIT / 2 - piece.start[0];
                 *pixel = (*pixel).max(share::<false>(piece, x as f32 * PART, dy).to_bits() as u8);
             }
@@ -102,14 +102,15 @@ impl Strip {
         Self { columns, widest, step, start }
     }
 
-    /// First and last but one of the columns of a row.
+    /// First and last but one of the columns of a row; none are counted from no farther than the last.
     #[inline(always)]
     fn columns(&self, dy: f32) -> (usize, usize) {
         let Some((slope, reach)) = self.step else { return self.columns };
         let middle = self.start + slope * f64::from(dy);
         let (low, high) = (middle - reach, middle + reach + 1.0);
         // `as` takes what is negative to 0.
-        ((low as usize).max(self.columns.0), (high as usize + 1).min(self.columns.1))
+        let end = (high as usize + 1).min(self.columns.1);
+        ((low as usize).max(self.columns.0).min(end), end)
     }
 }
 

@@ -22,7 +22,7 @@ pub struct Plates {
     pub plates: Vec<[i32; 2]>,
     /// From the first end of every edge to the middles of these plates, data units.
     pub middles: Vec<[[f64; 2]; 2]>,
-    /// The farthest corner of each plate from its middle, data units.
+    /// The farthest corner of each plate from its middle, data units; 0 of one that nothing closes.
     pub reaches: Vec<f64>,
 }
 
@@ -264,8 +264,8 @@ impl Net {
         let mut see = |half: usize, found: &mut Plates| {
             let (walk, at) = walks.of[half];
             let (outer, from) = outermost[walk];
+            let floats = walks.walks[outer].area <= 0.0;
             if number[outer] < 0 {
-                let floats = walks.walks[outer].area <= 0.0;
                 number[outer] = outside.filter(|_| floats).unwrap_or(found.reaches.len() as i32);
                 if number[outer] as usize == found.reaches.len() {
                     found.reaches.push(0.0);
@@ -274,7 +274,9 @@ impl Net {
             }
             let middle = less(add(from, walks.walks[outer].middle), at);
             let reach = &mut found.reaches[number[outer] as usize];
-            *reach = reach.max((middle[0] * middle[0] + middle[1] * middle[1]).sqrt());
+            // What is not closed has no middle of its own: around a torus one that tilts would meet itself in a step.
+            let far = if floats { 0.0 } else { (middle[0] * middle[0] + middle[1] * middle[1]).sqrt() };
+            *reach = reach.max(far);
             (number[outer], middle)
         };
         for k in 0..self.own {

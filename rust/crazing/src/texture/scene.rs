@@ -78,7 +78,7 @@ impl Wants {
     }
 
     fn grain(&self, material: &Material) -> bool {
-        let shown = material.speckle != 0.0 || material.roughness_spread != 0.0;
+        let shown = [material.speckle, material.roughness_spread, material.debris] != [0.0; 3];
         (self.profile && material.grain != 0.0) || (self.look && shown)
     }
 }
