@@ -378,6 +378,8 @@ def texture(
 
 
 def _names(maps: Any) -> tuple[str, ...]:
+    if not np.iterable(maps):
+        raise TypeError(f"maps is {arguments.found(maps)}; names of maps are wanted")
     names = (
         tuple(MAPS) if isinstance(maps, str) and maps == "all" else (maps,) if isinstance(maps, str) else tuple(maps)
     )

@@ -106,8 +106,9 @@ impl Strip {
         let Some((slope, reach)) = self.step else { return self.columns };
         let middle = self.start + slope * f64::from(dy);
         let (low, high) = (middle - reach, middle + reach + 1.0);
-        // `as` takes what is negative to 0.
-        ((low as usize).max(self.columns.0), (high as usize + 1).min(self.columns.1))
+        // `as` takes what is negative to 0. A row may be reached only beyond the columns: none of them, then.
+        let [start, end] = [low as usize, high as usize + 1].map(|at| at.clamp(self.columns.0, self.columns.1));
+        (start, end)
     }
 }
 
