@@ -88,11 +88,20 @@ SHAPELESS: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
     "a way of no integers": (lambda: maze().save("o.svg", solution=[1.5]), TypeError, r"solution is \[1.5\]"),
     "a way of no cells": (lambda: maze().save("o.svg", solution=[2**63]), ValueError, "solution goes by cell"),
     "a way of none": (lambda: maze().plot(solution=None), TypeError, "solution is None"),
+    "a page of too many pixels": (
+        lambda: maze().save("o.png", page=(3000, 3000)),
+        ValueError,
+        r"page is \(3000.0, 3000.0\); at most 268435456 pixels are drawn",
+    ),
     "a title of no text": (lambda: maze().walls.to_svg(title=3), TypeError, "title is 3; a string"),
     "a colour of no text": (lambda: maze().walls.to_svg(stroke=None), TypeError, "stroke is None; a string"),
     "a light on nothing": (lambda: cz.shade(None), TypeError, "texture is None"),
     "maps of no name": (lambda: cz.texture(cz.crack(SQUARE, rng=1), 8, maps=5), TypeError, "maps is 5"),
-    "words of a picture": (lambda: cz.save_png("o.png", np.eye(3, dtype=np.uint8), text=5), TypeError, "text is 5; a mapping"),
+    "words of a picture": (
+        lambda: cz.save_png("o.png", np.eye(3, dtype=np.uint8), text=5),
+        TypeError,
+        "text is 5; a mapping",
+    ),
     "labels of no name": (lambda: cz.dataset(2, labels=None), TypeError, "labels is None; one name or more"),
     "bounds without an area": (
         lambda: cz.crack(n=9, bounds=(0, 0, 5e-324, 5e-324), rng=1),
