@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import copy
+import multiprocessing
+import pickle
 from collections.abc import Callable
 from itertools import count
 from typing import Any
@@ -93,6 +96,8 @@ SHAPELESS: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
         ValueError,
         r"page is \(3000.0, 3000.0\); at most 268435456 pixels are drawn",
     ),
+    "a spacing of nothing": (lambda: cz.sample.from_polygon(SQUARE[:4], spacing=-0.0), ValueError, "spacing is 0"),
+    "a plate of no colour": (lambda: cz.Material(plate=None), ValueError, "plate is None; a sequence"),
     "a title of no text": (lambda: maze().walls.to_svg(title=3), TypeError, "title is 3; a string"),
     "a colour of no text": (lambda: maze().walls.to_svg(stroke=None), TypeError, "stroke is None; a string"),
     "a light on nothing": (lambda: cz.shade(None), TypeError, "texture is None"),
@@ -154,3 +159,43 @@ def test_textures_of_few_pixels(size: int | tuple[int, int]) -> None:
 def test_endless_statistics_are_written() -> None:
     picture = np.random.default_rng(0).random((20, 20))
     assert "inf" in repr(cz.measure(picture))
+
+
+def results() -> list[Any]:
+    points = cz.sample.uniform(30, rng=1)
+    crack, m = cz.crack(points, rng=1), cz.maze(points, rng=1)
+    made = [m, m.diagram, m.walls, m.statistics, m.diagram.quad_edge, cz.medial_axis(points), cz.compare(points), crack]
+    made += [
+        cz.maze(points, within=[(0, 0), (1, 0), (0.5, 1)], rng=1),
+        cz.preset("mud-mature"),
+        cz.Style(),
+        cz.Material(),
+    ]
+    made += [cz.texture(crack, 8), cz.texture_plan(crack, 8), cz.dataset(3, size=32), cz.targets("asphalt-crack")]
+    return [*made, cz.measure(crack), cz.steps.split(5, rng=1)]
+
+
+def test_results_are_equal_to_their_copies() -> None:
+    for result in results():
+        for made in (copy.copy(result), copy.deepcopy(result), pickle.loads(pickle.dumps(result))):
+            assert (made == result) is True
+            assert (made != result) is False
+        assert (result == 5) is False
+        assert repr(result)
+
+
+def test_textures_that_differ_are_not_equal() -> None:
+    crack = cz.crack(SQUARE, rng=1)
+    assert cz.texture(crack, 8, seed=1) != cz.texture(crack, 8, seed=2)
+    assert cz.texture(crack, 8, maps="mask") != cz.texture(crack, 8, maps="height")
+
+
+def test_what_was_forked_goes_on() -> None:
+    cz.maze(cz.sample.uniform(40_000, rng=1), rng=1)
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        found = pool.map(forked, [1, 1])
+    assert found[0] == found[1] == forked(1)
+
+
+def forked(seed: int) -> float:
+    return cz.maze(cz.sample.uniform(40_000, rng=seed), rng=seed).walls.length
