@@ -109,8 +109,14 @@ def number(value: Any, name: str, *, low: float = -np.inf, high: float = np.inf)
         raise TypeError(f"{name} is {value!r}; a real number is wanted")
     result = _real(value, f"{name} is")
     if not np.isfinite(result) or not low <= result <= high:
-        raise ValueError(f"{name} is {result}; a finite number from {low} to {high} is wanted")
+        raise ValueError(f"{name} is {result}; a finite number{_range(low, high)} is wanted")
     return result
+
+
+def _range(low: float, high: float) -> str:
+    if np.isinf(high):
+        return "" if np.isinf(low) else f" of at least {low:g}"
+    return f" from {low} to {high}"
 
 
 def choice(value: Any, name: str, allowed: Iterable[str]) -> str:
@@ -118,8 +124,23 @@ def choice(value: Any, name: str, allowed: Iterable[str]) -> str:
     words = list(allowed)
     # An array would be compared entry by entry.
     if not isinstance(value, str) or value not in words:
-        raise ValueError(f"{name} is {found(value)}; one of {', '.join(map(repr, words))} is wanted")
+        listed = ", ".join(map(repr, words))
+        raise ValueError(f"{name} is {found(value)}{meant(value, words)}; one of {listed} is wanted")
     return str(value)
+
+
+def meant(value: Any, allowed: Iterable[str]) -> str:
+    """What a misspelt word may have been, as a question in brackets; nothing where no word is near."""
+    import difflib
+
+    words = list(allowed)
+    if not isinstance(value, str) or not value:
+        return ""
+    known = {word.lower(): word for word in words}
+    near = [known[word] for word in difflib.get_close_matches(value.lower(), known, n=2, cutoff=0.7)]
+    # A part of a name, as in a family of names.
+    near += [word for word in words if len(value) > 2 and value.lower() in word.lower() and word not in near]
+    return f" (did you mean {' or '.join(map(repr, near[:3]))}?)" if near else ""
 
 
 def entries(value: Any, name: str, wanted: int, words: str) -> tuple[Any, ...]:
