@@ -212,3 +212,11 @@ def test_points_far_from_the_origin_and_in_degrees() -> None:
         moved = cz.centerline(np.array(BOX) * scale + at, spacing=0.05 * scale).to_shapely()
         back = shapely.transform(moved, lambda places, scale=scale, at=at: (places - at) / scale)
         assert back.hausdorff_distance(plain) < 0.1
+
+
+def test_small_polygons_have_points_of_their_own() -> None:
+    parts = [shapely.box(0, 0, 4000, 400), *(shapely.Point(5000 + 40 * i, 0).buffer(3 + i, 3) for i in range(8))]
+    shape = shapely.MultiPolygon(parts)
+    line = cz.centerline(shape)
+    assert line.components == len(parts)
+    assert shape.buffer(1e-9).contains(line.to_shapely())

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import copy
+import multiprocessing
+import pickle
 from collections.abc import Callable
 from itertools import count
 from typing import Any
@@ -85,6 +88,31 @@ SHAPELESS: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
     "a far shape": (lambda: cz.maze(SQUARE, within=[(0, 0), (1e200, 0), (0, 1)]), ValueError, "less than 1e150"),
     "one size": (lambda: cz.compare_sizes(np.eye(9), 7), TypeError, "sizes is 7; a list"),
     "an axis of no number": (lambda: cz.compare(SQUARE, axis=np.full((1, 2, 2), NAN)), ValueError, "axis has an end"),
+    "a way of no integers": (lambda: maze().save("o.svg", solution=[1.5]), TypeError, r"solution is \[1.5\]"),
+    "a way of no cells": (lambda: maze().save("o.svg", solution=[2**63]), ValueError, "solution goes by cell"),
+    "a way of none": (lambda: maze().plot(solution=None), TypeError, "solution is None"),
+    "a page of too many pixels": (
+        lambda: maze().save("o.png", page=(3000, 3000)),
+        ValueError,
+        r"page is \(3000.0, 3000.0\); at most 268435456 pixels are drawn",
+    ),
+    "a spacing of nothing": (lambda: cz.sample.from_polygon(SQUARE[:4], spacing=-0.0), ValueError, "spacing is 0"),
+    "a plate of no colour": (lambda: cz.Material(plate=None), ValueError, "plate is None; a sequence"),
+    "a title of no text": (lambda: maze().walls.to_svg(title=3), TypeError, "title is 3; a string"),
+    "a colour of no text": (lambda: maze().walls.to_svg(stroke=None), TypeError, "stroke is None; a string"),
+    "a light on nothing": (lambda: cz.shade(None), TypeError, "texture is None"),
+    "maps of no name": (lambda: cz.texture(cz.crack(SQUARE, rng=1), 8, maps=5), TypeError, "maps is 5"),
+    "words of a picture": (
+        lambda: cz.save_png("o.png", np.eye(3, dtype=np.uint8), text=5),
+        TypeError,
+        "text is 5; a mapping",
+    ),
+    "labels of no name": (lambda: cz.dataset(2, labels=None), TypeError, "labels is None; one name or more"),
+    "bounds without an area": (
+        lambda: cz.crack(n=9, bounds=(0, 0, 5e-324, 5e-324), rng=1),
+        ValueError,
+        "an area that a float can hold",
+    ),
     "a start beyond": (lambda: cz.maze(SQUARE, start=6), ValueError, "start is 6; the cell of one of 6"),
     "points by the milliard": (lambda: cz.sample.from_polygon(SQUARE[:4], n=10**9), ValueError, "n is 1000000000"),
     "steps of next to nothing": (
@@ -93,6 +121,10 @@ SHAPELESS: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
         "spacing is 1e-300",
     ),
 }
+
+
+def maze() -> cz.Maze:
+    return cz.maze(SQUARE, rng=1)
 
 
 @pytest.mark.parametrize("name", SHAPELESS)
@@ -107,3 +139,63 @@ def test_what_grows_is_stopped_in_time(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("crazing.skeleton.MOST", 1000)
     with pytest.raises(cz.CrazingError, match=r"skeleton 3 would have [0-9]+ points; at most 1000"):
         cz.nested(cz.sample.uniform(60, rng=1), iterations=10**9)
+
+
+def test_nothing_is_left_to_go_back() -> None:
+    t = np.linspace(0, 2 * np.pi, 60, endpoint=False)
+    skeleton = cz.medial_axis(np.column_stack([2 * np.cos(t), np.sin(t)]), method="one-step")
+    assert skeleton.prune(retract=10**9) == skeleton.prune(retract=1000)
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 4, 5, 7, 8, 9, (9, 1), (1, 9), (3, 40), (40, 3)])
+def test_textures_of_few_pixels(size: int | tuple[int, int]) -> None:
+    crack = cz.crack(cz.sample.uniform(40, rng=3), bounds=(0, 0, 1, 1), rng=1)
+    mask = cz.texture(crack, size, maps="mask")["mask"]
+    assert mask.shape == (size if isinstance(size, tuple) else (size, size))
+    # A window of the large picture whose pixels are these would show the same ink, about.
+    assert 0 < mask.mean() < 255
+
+
+def test_endless_statistics_are_written() -> None:
+    picture = np.random.default_rng(0).random((20, 20))
+    assert "inf" in repr(cz.measure(picture))
+
+
+def results() -> list[Any]:
+    points = cz.sample.uniform(30, rng=1)
+    crack, m = cz.crack(points, rng=1), cz.maze(points, rng=1)
+    made = [m, m.diagram, m.walls, m.statistics, m.diagram.quad_edge, cz.medial_axis(points), cz.compare(points), crack]
+    made += [
+        cz.maze(points, within=[(0, 0), (1, 0), (0.5, 1)], rng=1),
+        cz.preset("mud-mature"),
+        cz.Style(),
+        cz.Material(),
+    ]
+    made += [cz.texture(crack, 8), cz.texture_plan(crack, 8), cz.dataset(3, size=32), cz.targets("asphalt-crack")]
+    return [*made, cz.measure(crack), cz.steps.split(5, rng=1)]
+
+
+def test_results_are_equal_to_their_copies() -> None:
+    for result in results():
+        for made in (copy.copy(result), copy.deepcopy(result), pickle.loads(pickle.dumps(result))):
+            assert (made == result) is True
+            assert (made != result) is False
+        assert (result == 5) is False
+        assert repr(result)
+
+
+def test_textures_that_differ_are_not_equal() -> None:
+    crack = cz.crack(SQUARE, rng=1)
+    assert cz.texture(crack, 8, seed=1) != cz.texture(crack, 8, seed=2)
+    assert cz.texture(crack, 8, maps="mask") != cz.texture(crack, 8, maps="height")
+
+
+def test_what_was_forked_goes_on() -> None:
+    cz.maze(cz.sample.uniform(40_000, rng=1), rng=1)
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        found = pool.map(forked, [1, 1])
+    assert found[0] == found[1] == forked(1)
+
+
+def forked(seed: int) -> float:
+    return cz.maze(cz.sample.uniform(40_000, rng=seed), rng=seed).walls.length

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,8 @@ from crazing.polygons import Ring, polygons
 RESIDUAL = 0.025
 #: Points on the boundary by default: at least so many, and at most.
 FEWEST, MOST = 400, 250_000
+#: Points round a hole of several polygons, at least.
+ROUND = 12
 #: Parts of the mean width that default points are apart.
 PARTS = 4
 #: Coordinates below two to this power, and above its inverse, are taken as they are.
@@ -37,7 +40,8 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
         holes. Rings may repeat their first point, run either way and touch in points; heights are left out.
     spacing : float, optional
         Largest distance between two points of the boundary, in data units; the corners are always among them. By
-        default a quarter of the mean width (twice the area over the perimeter), but from 400 to 250,000 points.
+        default a quarter of the mean width (twice the area over the perimeter), but from 400 to 250,000 points; of
+        several polygons, small ones have their own.
 
     Returns
     -------
@@ -80,19 +84,21 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
         raise DegenerateInputError("the polygon has no area")
     length = float(sum(side_lengths(ring).sum() for ring in rings))
     apart = _default_spacing(length, area) if spacing is None else _checked(spacing, length, exponent)
-    found, edges = _axis(rings, apart)
+    several = spacing is None and len(parts) > 1
+    found, edges = _axis(rings, lambda lines: _spacings(lines, apart) if several else [apart] * len(lines))
     return PlanarGraph(np.ldexp(found.vertices, exponent), edges).compact()
 
 
-def _axis(rings: list[Ring], apart: float) -> tuple[Diagram, NDArray[np.int32]]:
+def _axis(rings: list[Ring], apart: Callable[[list[Ring]], list[float]]) -> tuple[Diagram, NDArray[np.int32]]:
     """The diagram of points along the rings, and the pairs of its vertices that are the axis."""
-    made = conforming([_densified(ring, apart) for ring in rings], QUICK)
+    made = conforming([*map(_densified, rings, apart(rings))], QUICK)
     if made is not None and not is_touched(*made[:2]):
         found, boundary, _ = made
         inside, _, residual = _core.sides(found.arrays, boundary)
     else:
         # Rare, and half as dear as all the rest: sides that cross are named, rings that touch come apart.
-        made = conforming([_densified(ring, apart) for ring in _plain(rings)], ROUNDS)
+        rings = _plain(rings)
+        made = conforming([*map(_densified, rings, apart(rings))], ROUNDS)
         if made is None:
             raise CrazingError(
                 "the boundary of the polygon comes too near to itself; touches in single points are fine"
@@ -152,6 +158,19 @@ def _checked(spacing: float, length: float, exponent: int) -> float:
 def _default_spacing(length: float, area: float) -> float:
     """Fine enough for the mean width, in a bearable number of points."""
     return min(max(2 * area / length / PARTS, length / MOST), length / FEWEST)
+
+
+def _spacings(rings: list[Ring], apart: float) -> list[float]:
+    """For every plain ring of several polygons: small ones, and small holes, have points of their own."""
+    lengths, areas = [float(side_lengths(ring).sum()) for ring in rings], [*map(_area, rings)]
+    fewest = min(FEWEST, max(MOST // len(rings), ROUND))
+    each = zip(lengths, areas, strict=True)
+    return [
+        min(apart, length / fewest, max(2 * area / length / PARTS, length / MOST))
+        if area > 0
+        else min(apart, length / ROUND)
+        for length, area in each
+    ]
 
 
 def _area(ring: Ring) -> float:

@@ -88,6 +88,8 @@ class Contours(Record):
         if spacing is None:
             return walk(self, shares(self.length, arguments.count(n, "n", low=FEWEST, high=MOST)))
         step = arguments.number(spacing, "spacing", low=0.0)
+        if not step:
+            raise ValueError("spacing is 0; a positive number is wanted")
         return walk(self, counts_at(self, step))
 
 

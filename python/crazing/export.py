@@ -38,6 +38,9 @@ def save(graph: PlanarGraph, path: str | os.PathLike[str]) -> None:
 
 def svg(graph: PlanarGraph, *, title: str | None = None, stroke: str = "black", width: float | None = None) -> str:
     """The polylines as an SVG picture; see `PlanarGraph.to_svg`."""
+    for name, text in (("title", "" if title is None else title), ("stroke", stroke)):
+        if not isinstance(text, str):
+            raise TypeError(f"{name} is {arguments.found(text)}; a string is wanted")
     left, low, right, high = _extent(graph)
     across = max(right - left, high - low) or 1.0
     width = across / 500 if width is None else arguments.number(width, "width", low=0.0)

@@ -12,7 +12,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from crazing import _core
+from crazing import _core, arguments
 
 _TEXT_LIMIT = 79
 """Characters of a keyword, PNG specification, section 11.3.3.1."""
@@ -167,6 +167,8 @@ def png_density(density: tuple[float, float] | None) -> tuple[int, int]:
 
 def png_text(text: Mapping[str, str] | None) -> list[tuple[str, str]]:
     """Keywords and texts that a PNG can hold, with the one that names us."""
+    if not isinstance(text, Mapping | None):
+        raise TypeError(f"text is {arguments.found(text)}; a mapping of keywords to strings is wanted")
     pairs: dict[Any, Any] = {**(text or {}), "Software": f"crazing {_core.__version__}"}
     for keyword, words in pairs.items():
         if not (isinstance(keyword, str) and isinstance(words, str)):

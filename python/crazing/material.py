@@ -112,7 +112,7 @@ class Material:
     crack_roughness: float = 0.95
 
     def __post_init__(self) -> None:
-        if isinstance(self.plate, str) or len(self.plate) == 0:
+        if isinstance(self.plate, str) or not hasattr(self.plate, "__len__") or not len(self.plate):
             raise ValueError(f"plate is {self.plate!r}; a sequence of one colour or more is wanted")
         ramp = tuple(_rgb(color, f"plate[{i}]") for i, color in enumerate(self.plate))
         object.__setattr__(self, "plate", ramp)

@@ -58,7 +58,7 @@ class Drawing:
         if isinstance(solution, (bool, np.bool_)):
             maze = self._maze
             return maze.solve(*maze.ends) if solution and maze.ends else None
-        return np.asarray(solution, dtype=np.int32)
+        return cell_row(solution, "solution", self._maze.size)
 
     def _away(self, distances: bool | int) -> NDArray[np.int32]:
         """The distance of every cell from the start for True, else from the cell given."""

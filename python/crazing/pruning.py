@@ -65,8 +65,10 @@ def prune(skeleton: Skeleton, limits: Limits) -> Skeleton:
             mask = _without_branches(skeleton, mask, by_radius, least)
     crust = skeleton.crust
     for _ in range(limits.retract or 0):
-        mask, sites = _retracted(skeleton, mask, crust.vertices)
-        crust = PlanarGraph(sites, crust.edges)
+        shorter, sites = _retracted(skeleton, mask, crust.vertices)
+        if np.array_equal(shorter, mask):  # Nothing is left to go back.
+            break
+        mask, crust = shorter, PlanarGraph(sites, crust.edges)
     axis = PlanarGraph(diagram.vertices, _core.axis_edges(diagram.arrays, mask))
     pruned = replace(skeleton, crust=crust, axis=axis, axis_mask=mask)
     # What depends on the samples alone is not found twice.

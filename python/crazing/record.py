@@ -13,7 +13,20 @@ def same(a: Any, b: Any) -> bool:
     if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
         both = isinstance(a, np.ndarray) and isinstance(b, np.ndarray)
         return both and np.array_equal(a, b, equal_nan=a.dtype.kind == "f")
-    return bool(a == b)
+    if isinstance(a, tuple) and isinstance(b, tuple):
+        return len(a) == len(b) and all(map(same, a, b))
+    if isinstance(a, dict) and isinstance(b, dict):
+        return list(a) == list(b) and all(same(a[name], b[name]) for name in a)
+    # Two numbers that are none are the same content.
+    return bool(a == b) or (isinstance(a, float) and isinstance(b, float) and a != a and b != b)
+
+
+def equal(one: Any, other: Any) -> bool:
+    """Whether two results hold the same content."""
+    if type(one) is not type(other):
+        return NotImplemented  # type: ignore[no-any-return]
+    compared = [field.name for field in fields(one) if field.compare]
+    return all(same(getattr(one, name), getattr(other, name)) for name in compared)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -30,10 +43,7 @@ class Record:
                 object.__setattr__(self, field.name, frozen)
 
     def __eq__(self, other: object) -> bool:
-        if type(self) is not type(other):
-            return NotImplemented
-        compared = [field.name for field in fields(self) if field.compare]
-        return all(same(getattr(self, name), getattr(other, name)) for name in compared)
+        return equal(self, other)
 
     # Content decides equality, and arrays have no cheap content hash.
     __hash__ = None  # type: ignore[assignment]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -56,6 +57,8 @@ def shade(texture: Texture, *, light: ArrayLike = (-0.55, 0.65, 0.8), exposure: 
     >>> cz.shade(t).shape
     (64, 64, 3)
     """
+    if not isinstance(texture, Mapping):
+        raise TypeError(f"texture is {arguments.found(texture)}; what texture() made is wanted")
     missing = [name for name in ("color", "normal", "ao", "height") if name not in texture]
     if missing:
         raise ValueError(f"the texture lacks {', '.join(missing)}; ask for these maps")

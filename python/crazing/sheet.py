@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
@@ -17,6 +18,7 @@ from crazing import _core, files
 from crazing.errors import CrazingError
 from crazing.extras import require
 from crazing.graph import PlanarGraph
+from crazing.images import PIXEL_LIMIT
 from crazing.mosaic import Mosaic, compound
 
 Line = NDArray[np.float64]
@@ -125,6 +127,11 @@ class Sheet:
 
     def png(self) -> bytes:
         """A picture of 300 pixels an inch."""
+        across, high = (math.ceil(side / _INCH * _DPI) for side in self.page)
+        if across * high > PIXEL_LIMIT:
+            raise ValueError(
+                f"page is {self.page}; at most {PIXEL_LIMIT} pixels are drawn, these would be {across * high}"
+            )
         return self._printed(format="png", dpi=_DPI)
 
     def _printed(self, **options: Any) -> bytes:
@@ -229,47 +236,47 @@ def ordered(lines: list[Line]) -> list[Line]:
     low = ends.min(axis=0)
     across = float((ends.max(axis=0) - low).max()) or 1.0
     count = max(1, int(np.sqrt(len(lines))))
-    squares = np.minimum((ends - low) / across * count, count - 1).astype(int)
-    grid: dict[tuple[int, int], list[int]] = {}
-    for end, (x, y) in enumerate(squares.tolist()):
-        grid.setdefault((x, y), []).append(end)
-    left = np.ones(len(lines), dtype=bool)
+    squares = list(map(tuple, np.minimum((ends - low) / across * count, count - 1).astype(int).tolist()))
+    grid: dict[tuple[int, ...], list[int]] = {}
+    for end, square in enumerate(squares):
+        grid.setdefault(square, []).append(end)
+    # Numbers of Python's own: NumPy's are several times slower one by one.
+    places: list[tuple[float, float]] = list(map(tuple, ends.tolist()))
+    left = bytearray(b"\1") * len(lines)
     found = []
-    at = ends[0]
+    at = 0
     for _ in lines:
-        end = _nearest(
-            grid, ends, left, at, tuple(np.clip((at - low) / across * count, 0, count - 1).astype(int)), count
-        )
-        line = lines[end // 2] if end % 2 == 0 else lines[end // 2][::-1]
-        left[end // 2] = False
-        found.append(line)
-        at = line[-1]
+        end = _nearest(grid, places, left, places[at], squares[at], count)
+        left[end // 2] = 0
+        found.append(lines[end // 2] if end % 2 == 0 else lines[end // 2][::-1])
+        at = end ^ 1
     return found
 
 
 def _nearest(
-    grid: dict[tuple[int, int], list[int]],
-    ends: Line,
-    left: NDArray[np.bool_],
-    at: Line,
+    grid: dict[tuple[int, ...], list[int]],
+    places: list[tuple[float, float]],
+    left: bytearray,
+    at: tuple[float, float],
     square: tuple[int, ...],
     count: int,
 ) -> int:
-    best, seen = -1, np.inf
+    best, least, seen = -1, np.inf, np.inf
     for ring in range(count + 1):
         if best >= 0 and ring > seen + 1:
             break
         for key in _ring(square, ring):
+            ends = grid.get(key)
+            if not ends:
+                continue
             # Ends of lines that were drawn are forgotten where they are met.
-            grid[key] = kept = [end for end in grid.get(key, ()) if left[end // 2]]
+            grid[key] = kept = [end for end in ends if left[end // 2]]
             for end in kept:
-                if best < 0 or _square(ends[end] - at) < _square(ends[best] - at):
-                    best, seen = end, min(seen, ring)
+                x, y = places[end][0] - at[0], places[end][1] - at[1]
+                away = x * x + y * y
+                if best < 0 or away < least:
+                    best, least, seen = end, away, min(seen, ring)
     return best
-
-
-def _square(step: Line) -> float:
-    return float(step[0] * step[0] + step[1] * step[1])
 
 
 def _ring(middle: tuple[int, ...], ring: int) -> Iterator[tuple[int, int]]:

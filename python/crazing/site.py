@@ -138,6 +138,8 @@ class Site:
         """Points of the recipe's own sampler, in a frame."""
         r, box = self.recipe, frame.box
         area = (box[2] - box[0]) * (box[3] - box[1])
+        if not frame.area > 0:
+            raise ValueError(f"bounds is {frame.bounds}; an area that a float can hold is wanted")
         n = round(r.n * area / frame.area)
         if r.sampler in ("normal", "laplace"):
             (x, y), side = self.centre(frame.bounds)

@@ -324,4 +324,7 @@ def _pair(name: str, pair: Any) -> tuple[float, float]:
 
 
 def _text(value: float) -> str:
-    return "-" if math.isnan(value) else str(int(value)) if value == int(value) and abs(value) >= 2 else f"{value:.4g}"
+    if math.isnan(value):
+        return "-"
+    is_whole = math.isfinite(value) and value == int(value) and abs(value) >= 2
+    return str(int(value)) if is_whole else f"{value:.4g}"

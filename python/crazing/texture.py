@@ -16,6 +16,7 @@ from crazing import rng as _rng
 from crazing.material import Material, preset_material
 from crazing.pictures import output
 from crazing.pictures.samples import sources
+from crazing.record import equal
 from crazing.render import MAX_PIXELS
 from crazing.shade import shade
 
@@ -70,9 +71,14 @@ class TexturePlan:
     bounds: Bounds
     seed: int = 0
     threads: int | None = None
-    _arrays: tuple[Any, ...] = field(default=(), repr=False)
-    _sides: tuple[Any, ...] = field(default=(), repr=False)
-    _scaled: dict[str, Any] = field(default_factory=dict, repr=False)
+    _arrays: tuple[Any, ...] = field(default=(), repr=False, compare=False)
+    _sides: tuple[Any, ...] = field(default=(), repr=False, compare=False)
+    _scaled: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
+
+    def __eq__(self, other: object) -> bool:
+        return equal(self, other)
+
+    __hash__ = None  # type: ignore[assignment]
 
     @property
     def period(self) -> tuple[float, float] | None:
@@ -184,6 +190,11 @@ class Texture(Mapping[str, NDArray[Any]]):
 
     def __len__(self) -> int:
         return len(self.maps)
+
+    def __eq__(self, other: object) -> bool:
+        return equal(self, other)
+
+    __hash__ = None  # type: ignore[assignment]
 
     def lit(self, **how: Any) -> NDArray[np.uint8]:
         """Show the texture under a light.
@@ -384,6 +395,8 @@ def texture(
 
 
 def _names(maps: Any) -> tuple[str, ...]:
+    if not np.iterable(maps):
+        raise TypeError(f"maps is {arguments.found(maps)}; names of maps are wanted")
     names = (
         tuple(MAPS) if isinstance(maps, str) and maps == "all" else (maps,) if isinstance(maps, str) else tuple(maps)
     )
