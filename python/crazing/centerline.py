@@ -85,6 +85,10 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
 
 def _rings(polygon: Any) -> Iterator[Ring]:
     """Every ring, shells and holes alike: what is inside follows from the number of rings around it."""
+    kind = getattr(polygon, "geom_type", None)
+    if isinstance(kind, str) and kind in ("Polygon", "MultiPolygon"):
+        yield from _rings_of_shapely(polygon)
+        return
     shape = getattr(polygon, "__geo_interface__", polygon)
     if isinstance(shape, Mapping):
         yield from _rings_of_mapping(shape)
@@ -94,6 +98,13 @@ def _rings(polygon: Any) -> Iterator[Ring]:
             yield points_array(hole, f"holes[{i}]")
     else:
         yield points_array(shape, "polygon")
+
+
+def _rings_of_shapely(shape: Any) -> Iterator[Ring]:
+    """As of its mapping, without a Python object for every coordinate."""
+    for part in getattr(shape, "geoms", [shape]):
+        if not part.is_empty:
+            yield from (np.array(ring.coords)[:, :2] for ring in (part.exterior, *part.interiors))
 
 
 def _rings_of_mapping(shape: Mapping[str, Any]) -> Iterator[Ring]:
@@ -113,7 +124,8 @@ def _opened(ring: Ring) -> Ring:
     """The ring without repeated points."""
     if not np.isfinite(ring).all():
         raise CrazingError("a ring of the polygon holds nan or infinity; every coordinate must be finite")
-    ring = ring[(ring != np.roll(ring, 1, axis=0)).any(axis=1)]
+    x, y = ring.T
+    ring = ring[(x != np.roll(x, 1)) | (y != np.roll(y, 1))]
     if len(ring) < 3:
         raise DegenerateInputError(f"a ring of the polygon has {len(ring)} distinct points; at least 3 are wanted")
     if _area(ring) == 0:
@@ -142,6 +154,8 @@ def _area(ring: Ring) -> float:
 def _densified(ring: Ring, apart: float) -> Ring:
     """The ring with every side cut into equal parts no longer than `apart`."""
     parts = np.maximum(np.ceil(_lengths(ring) / apart), 1).astype(np.int64)
+    if (parts == 1).all():
+        return ring
     side = np.repeat(np.arange(len(ring)), parts)
     share = (np.arange(len(side)) - np.repeat(np.cumsum(parts) - parts, parts)) / parts[side]
     return np.asarray(ring[side] + share[:, None] * (np.roll(ring, -1, axis=0) - ring)[side])
@@ -153,19 +167,27 @@ def _conforming(rings: list[Ring]) -> tuple[Diagram, NDArray[np.bool_]]:
         found = diagram(np.concatenate(rings))
         starts = np.cumsum([0, *map(len, rings)])
         ends = np.concatenate([np.roll(np.arange(a, b), -1) for a, b in pairwise(starts)])
-        sides = _keys(np.column_stack([found.site_of, found.site_of[ends]]))
-        edges = _keys(found.edges)
-        sorted_sides = np.sort(sides)
-        # Several times faster than asking NumPy twice what is in what.
-        boundary = sorted_sides[np.searchsorted(sorted_sides[:-1], edges)] == edges
-        if np.count_nonzero(boundary) == len(sides):
+        boundary = _between(found, ends)
+        if np.count_nonzero(boundary) == len(ends):
             return found, boundary
-        missing = ~np.isin(sides, edges)
+        sides = _keys(np.column_stack([found.site_of, found.site_of[ends]]))
+        missing = ~np.isin(sides, _keys(found.edges))
         if not missing.any():
             return found, boundary
         pieces = np.split(missing, starts[1:-1])
         rings = [_halved(ring, part) for ring, part in zip(rings, pieces, strict=True)]
     raise CrazingError("the boundary of the polygon crosses itself or comes too near to itself; a valid one is wanted")
+
+
+def _between(found: Diagram, ends: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Which edges join a row to the one that `ends` names for it."""
+    if len(found.sites) < len(ends):
+        # Rings that touch: a site has several ends.
+        wanted = _keys(np.column_stack([found.site_of, found.site_of[ends]]))
+        return np.isin(_keys(found.edges), wanted)
+    # Without duplicates a site is its row: many times faster than looking pairs up.
+    low, high = found.edges.T
+    return np.asarray((ends[low] == high) | (ends[high] == low))
 
 
 def _halved(ring: Ring, sides: NDArray[np.bool_]) -> Ring:
