@@ -147,11 +147,12 @@ pub(crate) fn crack_roughen<'py>(
     hurst: f64,
     unit: f64,
     grain: f64,
+    rounding: f64,
     key: Key,
 ) -> PyResult<(NetOut<'py>, Row<'py, i32>, Row<'py, i32>)> {
     let net = net.view()?;
     let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);
-    let how = Roughness { amplitude, hurst, unit, grain };
+    let how = Roughness { amplitude, hurst, unit, grain, rounding };
     let rough = detached(py, |watch| crack::roughen(net, partner, fence, how, key, watch))?;
     let [partner, origin] = [rough.partner, rough.origin].map(|entries| PyArray1::from_vec(py, entries));
     Ok((net_out(py, rough.net)?, partner, origin))

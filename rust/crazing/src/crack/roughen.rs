@@ -1,13 +1,14 @@
 //! Rough cracks: 1/f wandering about their straight edges, pinned at the nodes.
 
+use super::bow::Bow;
 use super::fence::{FenceView, Guard};
 use super::net::{Ends, NONE, Net, NetView};
+use super::noise::Noise;
 use super::room::Room;
 use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::parallel;
-use crate::quantile;
-use crate::rng::{Key, block, open_unit, stream};
+use crate::rng::Key;
 use crate::watch::Watch;
 
 /// Most halvings of one edge.
@@ -26,6 +27,8 @@ pub struct Roughness {
     pub unit: f64,
     /// Edges are halved until no longer than this, data units.
     pub grain: f64,
+    /// How far edges are bent so that a crack turns smoothly from one to the next: 0 not at all, 1 all the way.
+    pub rounding: f64,
 }
 
 /// A rough drawing.
@@ -39,7 +42,8 @@ pub struct Rough {
     pub origin: Vec<i32>,
 }
 
-/// Subdivides edges and moves the new vertices across them, after moving the vertices inside each crack.
+/// Subdivides edges and moves the new vertices across them, after moving the vertices inside each crack: along the
+/// bow that its turns ask for, and about that at random.
 ///
 /// Between nodes (vertices of other degree than 2, cut ends) a crack is a bridge of fractional Brownian motion by
 /// midpoint displacement. Vertices move behind the fence, see [`super::Fence`]; every edge wanders in its own kite, a
@@ -58,8 +62,9 @@ pub fn roughen(
     key: Key,
     watch: Watch<'_>,
 ) -> Result<Rough> {
-    for (name, value) in [("roughness", how.amplitude), ("hurst", how.hurst), ("unit", how.unit), ("grain", how.grain)]
-    {
+    let Roughness { amplitude, hurst, unit, grain, rounding } = how;
+    let given = [("roughness", amplitude), ("hurst", hurst), ("unit", unit), ("grain", grain), ("rounding", rounding)];
+    for (name, value) in given {
         if !(value.is_finite() && value >= 0.0) {
             return Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" });
         }
@@ -67,10 +72,10 @@ pub fn roughen(
     let vertices = wander(net, fence, how, key, watch)?;
     let moved = NetView { vertices: &vertices, ..net };
     watch.poll()?;
-    let rooms = parallel::map(net.edges.len(), |k| Room::of(moved, fence, k));
+    let rooms = parallel::map(net.edges.len(), |k| (Room::of(moved, fence, k), Bow::of(moved, partner, k, rounding)));
     let mut starts = vec![0_usize];
-    for (k, room) in rooms.iter().enumerate() {
-        starts.push(starts[k] + (1 << halvings(room, how)));
+    for (k, (room, bow)) in rooms.iter().enumerate() {
+        starts.push(starts[k] + (1 << halvings(room, bow, how)));
     }
     let found = starts[net.edges.len()];
     const MOST: usize = (1 << 30) - 1;
@@ -86,30 +91,6 @@ pub fn roughen(
     });
     watch.poll()?;
     Ok(assemble(moved, partner, &starts, &inner))
-}
-
-/// Standard normal numbers, one of its own for every place on an edge.
-struct Noise {
-    key: Key,
-    edge: u64,
-    level: u64,
-    block: u64,
-    words: [u64; 4],
-}
-
-impl Noise {
-    fn of(key: Key, edge: usize, level: u64) -> Self {
-        let words = block(key, [edge as u64, 0, stream::ROUGHNESS, level]);
-        Self { key, edge: edge as u64, level, block: 0, words }
-    }
-
-    fn at(&mut self, index: usize) -> f64 {
-        if index as u64 / 4 != self.block {
-            self.block = index as u64 / 4;
-            self.words = block(self.key, [self.edge, self.block, stream::ROUGHNESS, self.level]);
-        }
-        quantile::normal(open_unit(self.words[index % 4]))
-    }
 }
 
 impl Roughness {
@@ -214,9 +195,11 @@ fn bridge(net: NetView<'_>, how: Roughness, key: Key, chain: &[u32]) -> Vec<f64>
 }
 
 /// How often an edge is halved.
-fn halvings(room: &Room, how: Roughness) -> u32 {
+fn halvings(room: &Room, bow: &Bow, how: Roughness) -> u32 {
     let across = room.sides[0][1].max(room.sides[1][1]);
-    if !(how.grain > 0.0 && room.length.is_finite() && across > THIN * room.length) || how.amplitude == 0.0 {
+    if !(how.grain > 0.0 && room.length.is_finite() && across > THIN * room.length)
+        || (how.amplitude == 0.0 && bow.is_straight())
+    {
         return 0;
     }
     let mut depth = 0;
@@ -227,8 +210,16 @@ fn halvings(room: &Room, how: Roughness) -> u32 {
 }
 
 /// Adds the places of the inner vertices of an edge; from one level to the next deviation is `next` as large.
-fn pieces(net: NetView<'_>, room: &Room, how: Roughness, next: f64, key: Key, edge: usize, places: &mut Vec<Point>) {
-    let depth = halvings(room, how);
+fn pieces(
+    net: NetView<'_>,
+    (room, bow): &(Room, Bow),
+    how: Roughness,
+    next: f64,
+    key: Key,
+    edge: usize,
+    places: &mut Vec<Point>,
+) {
+    let depth = halvings(room, bow, how);
     if depth == 0 {
         return;
     }
@@ -248,7 +239,8 @@ fn pieces(net: NetView<'_>, room: &Room, how: Roughness, next: f64, key: Key, ed
     let (x, y) = ((b[0] - a[0]) / room.length, (b[1] - a[1]) / room.length);
     places.extend((1..count).map(|i| {
         let part = i as f64 / count as f64;
-        let height = room.within(part * room.length, heights[i]);
+        let bent = if bow.is_straight() { 0.0 } else { room.length * bow.height(part) };
+        let height = room.within(part * room.length, bent + heights[i]);
         [a[0] + part * (b[0] - a[0]) - height * y, a[1] + part * (b[1] - a[1]) + height * x]
     }));
 }
