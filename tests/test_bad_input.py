@@ -67,7 +67,7 @@ FAULTS: dict[str, tuple[Any, type[Exception], str]] = {
     "ragged": ([[0.0, 0.0], [1.0]], ValueError, "points is ragged"),
     "text": ([["0", "1"], ["2", "3"]], TypeError, "points has dtype <U1; real numbers are wanted"),
     "bytes": (np.zeros((3, 2), dtype="S1"), TypeError, r"points has dtype \|S1; real numbers"),
-    "a string": ("points", TypeError, "points has dtype"),
+    "a string": ("points", TypeError, "points (has dtype|is .points.; coordinates are wanted)"),
     "complex": (np.zeros((3, 2), dtype=complex), TypeError, "points has dtype complex128; real numbers"),
     "dates": (np.zeros((3, 2), dtype="M8[s]"), TypeError, "points has dtype datetime64"),
     "structured": (np.zeros(3, dtype=[("x", float), ("y", float)]), TypeError, "points has dtype"),
