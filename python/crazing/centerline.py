@@ -133,7 +133,8 @@ def _opened(ring: Ring) -> Ring:
     """The ring without repeated points."""
     if not np.isfinite(ring).all():
         raise CrazingError("a ring of the polygon holds nan or infinity; every coordinate must be finite")
-    ring = ring[(ring != np.roll(ring, 1, axis=0)).any(axis=1)]
+    x, y = ring.T
+    ring = ring[(x != np.roll(x, 1)) | (y != np.roll(y, 1))]
     if len(ring) < 3:
         raise DegenerateInputError(f"a ring of the polygon has {len(ring)} distinct points; at least 3 are wanted")
     (scaled,), _ = _scaled([ring])
@@ -180,8 +181,10 @@ def _area(ring: Ring) -> float:
 
 def _densified(ring: Ring, apart: float) -> Ring:
     """The ring with every side cut into equal parts no longer than `apart`."""
-    step = np.roll(ring, -1, axis=0) - ring
     parts = np.maximum(np.ceil(side_lengths(ring) / apart), 1).astype(np.int64)
+    if (parts == 1).all():
+        return ring
+    step = np.roll(ring, -1, axis=0) - ring
     side = np.repeat(np.arange(len(ring)), parts)
     share = (np.arange(len(side)) - np.repeat(np.cumsum(parts) - parts, parts)) / parts[side]
     return np.asarray(ring[side] + share[:, None] * step[side])

@@ -32,16 +32,10 @@ def conforming(rings: list[Ring], rounds: int) -> tuple[Diagram, Mask, list[Ring
         found = diagram(np.concatenate(rings))
         starts = np.cumsum([0, *map(len, rings)])
         ends = np.concatenate([np.roll(np.arange(a, b), -1) for a, b in pairwise(starts)])
-        sides = _keys(np.column_stack([found.site_of, found.site_of[ends]]))
-        edges = _keys(found.edges)
-        sorted_sides = np.sort(sides)
-        # Several times faster than asking NumPy twice what is in what.
-        boundary = sorted_sides[np.searchsorted(sorted_sides[:-1], edges)] == edges
-        if np.count_nonzero(boundary) == len(sides):
+        boundary = _between(found, ends)
+        if np.count_nonzero(boundary) == len(ends):
             return found, boundary, rings
-        # By sorting: NumPy hashes to tell what is in what, and takes ten times as long.
-        edges.sort()
-        missing = edges[np.searchsorted(edges[:-1], sides)] != sides
+        missing = ~_among(_keys(np.column_stack([found.site_of, found.site_of[ends]])), _keys(found.edges))
         if not missing.any():
             return found, boundary, rings
         pieces = np.split(missing, starts[1:-1])
@@ -92,6 +86,22 @@ def _travelled(rings: list[Ring]) -> tuple[NDArray[np.float64], NDArray[np.float
 def side_lengths(ring: Ring) -> NDArray[np.float64]:
     """(k,), the length of every side of a ring, from each corner to the next."""
     return np.asarray(np.hypot(*(np.roll(ring, -1, axis=0) - ring).T))
+
+
+def _between(found: Diagram, ends: NDArray[np.int64]) -> Mask:
+    """Which edges join a row of points to the one that `ends` names for it."""
+    if len(found.sites) < len(ends):
+        # Where rings touch, a site has several ends.
+        return _among(_keys(found.edges), _keys(np.column_stack([found.site_of, found.site_of[ends]])))
+    # Without duplicates a site is its row: many times faster than looking pairs up.
+    low, high = found.edges.T
+    return np.asarray((ends[low] == high) | (ends[high] == low))
+
+
+def _among(keys: NDArray[np.int64], known: NDArray[np.int64]) -> Mask:
+    """Which of the keys are known; by sorting, as NumPy hashes to tell this and takes ten times as long."""
+    ordered = np.sort(known)
+    return np.asarray(ordered[np.searchsorted(ordered[:-1], keys)] == keys)
 
 
 def _halved(ring: Ring, sides: Mask) -> Ring:

@@ -81,8 +81,11 @@ def _of_geometry(shape: Any, name: str) -> Iterator[list[Ring]]:
     """Polygon after polygon, without recursion: nesting is the file's choice."""
     left = [shape]
     while left:
-        node = getattr(left[-1], "__geo_interface__", left[-1])
-        left.pop()
+        last = left.pop()
+        if _is_of_shapely(last):
+            yield from _of_shapely(last)
+            continue
+        node = getattr(last, "__geo_interface__", last)
         if node is None:  # A feature without a geometry.
             continue
         kind = node.get("type") if isinstance(node, Mapping) else None
@@ -102,6 +105,18 @@ def _of_geometry(shape: Any, name: str) -> Iterator[list[Ring]]:
                 yield [*_rings([rings] if kind == "LinearRing" else rings, name)]
         else:
             raise ValueError(f"{name} is a geometry of type {found(kind)}; {WANTED} is wanted")
+
+
+def _is_of_shapely(shape: Any) -> bool:
+    kind = getattr(shape, "geom_type", None)
+    return isinstance(kind, str) and kind in ("Polygon", "MultiPolygon") and hasattr(shape, "is_empty")
+
+
+def _of_shapely(shape: Any) -> Iterator[list[Ring]]:
+    """As its mapping says, without a Python object for every coordinate: a tenth of the time."""
+    for part in getattr(shape, "geoms", [shape]):
+        if not part.is_empty:
+            yield [np.array(ring.coords)[:, :2] for ring in (part.exterior, *part.interiors)]
 
 
 def _members(node: Mapping[str, Any], word: str, name: str) -> list[Any]:

@@ -5,6 +5,7 @@ mod components;
 mod polylines;
 
 use crate::error::{Error, Result};
+use crate::parallel;
 use crate::watch::Watch;
 
 pub use apart::distances;
@@ -77,7 +78,8 @@ pub fn check_indices<const N: usize>(array: &'static str, rows: &[[i32; N]], low
     let limit = i32::try_from(limit).unwrap_or(i32::MAX);
     let bad = |value: i32| (value < low) | (value >= limit);
     // Without a way out of the loop: all entries are looked at several at a time.
-    if !rows.as_flattened().iter().fold(false, |found, &value| found | bad(value)) {
+    let any = |rows: &[[i32; N]]| rows.as_flattened().iter().fold(false, |found, &value| found | bad(value));
+    if !parallel::ranges(rows.len(), |range| any(&rows[range])).contains(&true) {
         return Ok(());
     }
     let row = rows.iter().position(|row| row.iter().any(|&value| bad(value))).unwrap_or(0);

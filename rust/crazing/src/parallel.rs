@@ -1,8 +1,9 @@
 //! Work on all cores, in a pool that lives as long as the call: a global pool would not survive a fork.
 
 use std::ops::Range;
+use std::sync::atomic::{AtomicI32, Ordering::Relaxed};
 
-use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
 /// Fewer items than this are not worth waking threads for.
@@ -44,15 +45,57 @@ pub(crate) fn map<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> 
 
 /// `f` of ranges that make up `0..len`, in order: for work that would make a small vector an item.
 pub(crate) fn ranges<T: Send>(len: usize, f: impl Fn(Range<usize>) -> T + Sync + Send) -> Vec<T> {
+    let all: Vec<Range<usize>> = all_ranges(len).collect();
+    choose(len, (all, &f), |(all, f)| all.into_iter().map(f).collect(), |(all, f)| all.into_par_iter().map(f).collect())
+}
+
+fn all_ranges(len: usize) -> impl Iterator<Item = Range<usize>> {
     const SIZE: usize = WORTHWHILE / 8;
-    let range = |i: usize| i * SIZE..len.min((i + 1) * SIZE);
-    let count = len.div_ceil(SIZE);
+    (0..len.div_ceil(SIZE)).map(move |i| i * SIZE..len.min((i + 1) * SIZE))
+}
+
+/// `f` of ranges that make up `0..len`, each with the part of `found` that is its own: item by item, where one thread
+/// has several under way at once.
+pub(crate) fn fill<T: Send>(found: &mut [T], f: impl Fn(Range<usize>, &mut [T]) + Sync + Send) {
+    const SIZE: usize = WORTHWHILE / 8;
+    let part = |i: usize, part: &mut [T]| f(i * SIZE..i * SIZE + part.len(), part);
     choose(
-        len,
-        &f,
-        |f| (0..count).map(|i| f(range(i))).collect(),
-        |f| (0..count).into_par_iter().map(|i| f(range(i))).collect(),
-    )
+        found.len(),
+        found,
+        |found| found.chunks_mut(SIZE).enumerate().for_each(|(i, found)| part(i, found)),
+        |found| found.par_chunks_mut(SIZE).enumerate().for_each(|(i, found)| part(i, found)),
+    );
+}
+
+/// Row `i` of `f` at `places[i]`, for places that are `0..places.len()` in some order.
+pub(crate) fn scatter<const N: usize>(places: &[u32], f: impl Fn(usize) -> [i32; N] + Sync + Send) -> Vec<[i32; N]> {
+    // Each is written once, by whoever comes to its row: in any order, the table is the same.
+    let slots = map(places.len(), |_| [const { AtomicI32::new(0) }; N]);
+    each(places.len(), |i| {
+        for (slot, value) in slots[places[i] as usize].iter().zip(f(i)) {
+            slot.store(value, Relaxed);
+        }
+    });
+    slots.into_iter().map(|row| row.map(AtomicI32::into_inner)).collect()
+}
+
+/// What `keep` gives of each of `0..len`, in order. It is asked twice: how many there are is not seen from outside, and
+/// growing a table is dearer.
+pub(crate) fn compact<T: Send + Copy + Default>(len: usize, keep: impl Fn(usize) -> Option<T> + Sync + Send) -> Vec<T> {
+    let counts = ranges(len, |range| range.filter(|&i| keep(i).is_some()).count());
+    let mut found = vec![T::default(); counts.iter().sum()];
+    let mut rest = found.as_mut_slice();
+    let mut parts = Vec::with_capacity(counts.len());
+    for (range, count) in all_ranges(len).zip(counts) {
+        let part;
+        (part, rest) = rest.split_at_mut(count);
+        parts.push((range, part));
+    }
+    let write = |(range, part): (Range<usize>, &mut [T])| {
+        part.iter_mut().zip(range.filter_map(&keep)).for_each(|(slot, kept)| *slot = kept);
+    };
+    choose(len, parts, |parts| parts.into_iter().for_each(write), |parts| parts.into_par_iter().for_each(write));
+    found
 }
 
 /// The same where each item is long work.
@@ -71,6 +114,21 @@ pub(crate) fn each(len: usize, f: impl Fn(usize) + Sync + Send) {
     choose(len, &f, |f| (0..len).for_each(f), |f| (0..len).into_par_iter().with_min_len(WORTHWHILE / 8).for_each(f));
 }
 
+/// `f` of every item, in any order.
+pub(crate) fn alter<T: Send>(items: &mut [T], f: impl Fn(&mut T) + Sync + Send) {
+    fill(items, |_, items| items.iter_mut().for_each(&f));
+}
+
+/// `f` of every item and the one in the same place of another table.
+pub(crate) fn alter_both<A: Send, B: Send>(a: &mut [A], b: &mut [B], f: impl Fn(&mut A, &mut B) + Sync + Send) {
+    choose(
+        a.len(),
+        (a, b),
+        |(a, b)| a.iter_mut().zip(b).for_each(|(a, b)| f(a, b)),
+        |(a, b)| a.par_iter_mut().zip(b).with_min_len(WORTHWHILE / 8).for_each(|(a, b)| f(a, b)),
+    );
+}
+
 /// The first of `0..len` that `f` holds for.
 pub(crate) fn first(len: usize, f: impl Fn(usize) -> bool + Sync + Send) -> Option<usize> {
     choose(
@@ -84,4 +142,42 @@ pub(crate) fn first(len: usize, f: impl Fn(usize) -> bool + Sync + Send) -> Opti
 /// Sorts; equal keys cannot be told apart, so the result does not depend on the number of threads.
 pub(crate) fn sort(keys: &mut [u64]) {
     choose(keys.len(), keys, |keys| keys.sort_unstable(), |keys| keys.par_sort_unstable());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Few and many: with one thread and with all.
+    const SIZES: [usize; 4] = [0, 1, 1000, 3 * WORTHWHILE + 17];
+
+    #[test]
+    fn scattered_rows_stand_at_their_places() {
+        for len in SIZES {
+            // 7 divides none of the sizes, so this is a permutation.
+            let places: Vec<u32> = (0..len).map(|i| (7 * i % len) as u32).collect();
+            let found = scatter(&places, |i| [i as i32, -(i as i32)]);
+            assert_eq!(found.len(), len);
+            assert!(places.iter().enumerate().all(|(i, &at)| found[at as usize] == [i as i32, -(i as i32)]));
+        }
+    }
+
+    #[test]
+    fn what_is_kept_stays_in_order() {
+        for len in SIZES {
+            let kept = |i: usize| (i % 3 == 1).then_some(i);
+            assert_eq!(compact(len, kept), (0..len).filter_map(kept).collect::<Vec<_>>());
+        }
+    }
+
+    #[test]
+    fn every_part_is_filled_and_altered_once() {
+        for len in SIZES {
+            let (mut found, mut other) = (vec![0; len], vec![1; len]);
+            fill(&mut found, |range, part| part.iter_mut().zip(range).for_each(|(slot, i)| *slot += i));
+            alter(&mut found, |value| *value += 1);
+            alter_both(&mut found, &mut other, |a, b| (*a, *b) = (*a + *b, *a));
+            assert!((0..len).all(|i| (found[i], other[i]) == (i + 2, i + 1)));
+        }
+    }
 }

@@ -4,6 +4,7 @@ use super::scale::{Scale, cleared, largest};
 use super::{Diagram, delaunay, order, vertices};
 use crate::error::{Error, Result};
 use crate::graph::Point;
+use crate::parallel;
 use crate::watch::Watch;
 
 /// Edges are numbered with 32 bits, and there are up to three a point.
@@ -68,17 +69,15 @@ pub(crate) fn triangulate_near_one(points: Vec<Point>, watch: Watch<'_>) -> Resu
 /// From numbers along the curve to sites; the outside comes to lie on the left, other edges run upward.
 fn renumber(topology: &mut delaunay::Topology, curve: &[u32]) {
     let site = |along: i32| curve[along as usize] as i32;
-    for corners in &mut topology.triangles {
-        *corners = corners.map(site);
-    }
-    for (ends, sides) in topology.edges.iter_mut().zip(&mut topology.dual_edges) {
+    parallel::alter(&mut topology.triangles, |corners| *corners = corners.map(site));
+    parallel::alter_both(&mut topology.edges, &mut topology.dual_edges, |ends, sides| {
         *ends = ends.map(site);
         let outside = sides.map(|side| side == -1);
         if outside == [true, false] || (outside[0] == outside[1] && ends[0] > ends[1]) {
             ends.reverse();
             sides.reverse();
         }
-    }
+    });
 }
 
 pub(super) fn check_points(points: &[Point]) -> Result<()> {
@@ -105,7 +104,7 @@ pub(super) struct Merged {
 
 pub(super) fn merge(points: Vec<Point>) -> Merged {
     let mut curve = order::hilbert(&points);
-    let mut along: Vec<Point> = curve.iter().map(|&row| points[row as usize]).collect();
+    let mut along = parallel::map(curve.len(), |i| points[curve[i] as usize]);
     if along.windows(2).all(|pair| pair[0] != pair[1]) {
         return Merged { site_of: (0..points.len() as i32).collect(), sites: points, curve, along };
     }

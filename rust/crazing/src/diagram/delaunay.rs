@@ -33,7 +33,11 @@ type ConstrainedMesh = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (),
 pub(super) fn triangulate(points: &[Point], watch: Watch<'_>) -> Result<Topology> {
     match sequence(points) {
         None => Ok(path(points)),
-        Some(Rounds { order, near }) => read(&insert::<Mesh>(points, &order, &near, watch)?, &order, watch),
+        Some(Rounds { order, near }) => {
+            let mesh = insert::<Mesh>(points, &order, &near, watch)?;
+            drop(near);
+            read(&mesh, &order, watch)
+        }
     }
 }
 
@@ -118,10 +122,11 @@ pub(super) fn triangulate_constrained(
             return Err(Error::Internal("a constraint that crosses none was refused by the triangulation"));
         }
     }
-    let mut places = Places::count(lowest_ends(&mesh, &order), order.len());
+    let mut edge_of = lowest_ends(&mesh, &order);
+    to_places(&mut edge_of, order.len());
     let mut constrained = vec![false; mesh.num_undirected_edges()];
-    for (edge, lowest) in mesh.undirected_edges().zip(lowest_ends(&mesh, &order)) {
-        constrained[places.take(lowest)] = edge.is_constraint_edge();
+    for (edge, place) in mesh.undirected_edges().zip(edge_of) {
+        constrained[place as usize] = edge.is_constraint_edge();
     }
     Ok((read(&mesh, &order, watch)?, constrained))
 }
@@ -213,105 +218,69 @@ fn insert_into<M: Triangulation<Vertex = Point2<f64>>>(
 }
 
 /// A mesh of spade, with constraints or without, that threads may share.
-trait Flat: Triangulation<Vertex = Point2<f64>> + Sync {}
+trait Flat: Triangulation<Vertex = Point2<f64>> + Sync {
+    /// The sites at both ends of an edge.
+    fn ends(&self, k: usize, sequence: &[u32]) -> [u32; 2] {
+        let edge = self.undirected_edges().nth(k);
+        edge.map_or([0; 2], |edge| edge.vertices().map(|vertex| sequence[vertex.index()]))
+    }
+
+    /// The faces on the right and on the left of an edge; 0 is the outside.
+    fn sides(&self, k: usize) -> [usize; 2] {
+        let edge = self.undirected_edges().nth(k).map(|edge| edge.as_directed());
+        edge.map_or([0; 2], |edge| [edge.rev(), edge].map(|side| side.face().index()))
+    }
+
+    /// The corners of a face that is not the outside.
+    fn corners(&self, face: usize, sequence: &[u32]) -> [u32; 3] {
+        let face = self.all_faces().nth(face).and_then(|face| face.as_inner());
+        face.map_or([0; 3], |face| face.vertices().map(|vertex| sequence[vertex.index()]))
+    }
+}
 
 impl<M: Triangulation<Vertex = Point2<f64>> + Sync> Flat for M {}
 
 /// Reads the mesh in the order of its own memory (walking it would wait for memory at every step), and puts triangles
-/// and edges in the order of their lowest site: neighbours in the plane are then neighbours in memory. Reading the mesh
-/// once for each array is cheaper than fresh memory for what was read.
+/// and edges in the order of their lowest site: neighbours in the plane are then neighbours in memory. All cores read;
+/// only the places are counted out one by one.
 fn read(mesh: &impl Flat, sequence: &[u32], watch: Watch<'_>) -> Result<Topology> {
-    let ((edges, places), (triangles, triangle_of)) = parallel::join(
-        sequence.len(),
-        || {
-            let places = Places::count(lowest_ends(mesh, sequence), sequence.len());
-            (read_edges(mesh, sequence, places.clone(), watch), places)
-        },
-        || read_triangles(mesh, sequence),
-    );
-    let dual_edges = read_dual_edges(mesh, sequence, places, &triangle_of, watch)?;
-    Ok(Topology { triangles, edges: edges?, dual_edges })
+    let sites = sequence.len();
+    let corners = parallel::map(mesh.num_inner_faces(), |i| mesh.corners(i + 1, sequence));
+    watch.poll()?;
+    let mut triangle_of: Vec<u32> = corners.iter().map(|&[a, b, c]| a.min(b).min(c)).collect();
+    let mut edge_of = lowest_ends(mesh, sequence);
+    parallel::join(sites, || to_places(&mut triangle_of, sites), || to_places(&mut edge_of, sites));
+    watch.poll()?;
+    let triangles = parallel::scatter(&triangle_of, |i| corners[i].map(|site| site as i32));
+    drop(corners);
+    let edges = parallel::scatter(&edge_of, |k| mesh.ends(k, sequence).map(|site| site as i32));
+    watch.poll()?;
+    let triangle = |face: usize| face.checked_sub(1).map_or(-1, |i| triangle_of[i] as i32);
+    let dual_edges = parallel::scatter(&edge_of, |k| mesh.sides(k).map(triangle));
+    Ok(Topology { triangles, edges, dual_edges })
 }
 
-fn lowest_ends<'a>(mesh: &'a impl Flat, sequence: &'a [u32]) -> impl Iterator<Item = u32> + 'a {
-    let site = |vertex: usize| sequence[vertex];
-    mesh.undirected_edges().map(move |edge| {
-        let [a, b] = edge.vertices();
-        site(a.index()).min(site(b.index()))
+/// The lower end of every edge.
+fn lowest_ends(mesh: &impl Flat, sequence: &[u32]) -> Vec<u32> {
+    parallel::map(mesh.num_undirected_edges(), |k| {
+        let [a, b] = mesh.ends(k, sequence);
+        a.min(b)
     })
 }
 
-/// From and to of every edge.
-fn read_edges(mesh: &impl Flat, sequence: &[u32], mut places: Places, watch: Watch<'_>) -> Result<Vec<[i32; 2]>> {
-    let mut edges = vec![[0; 2]; mesh.num_undirected_edges()];
-    for (step, edge) in mesh.undirected_edges().enumerate() {
-        watch.poll_at(step)?;
-        let edge = edge.as_directed();
-        let [from, to] = [edge.from(), edge.to()].map(|end| sequence[end.index()]);
-        edges[places.take(from.min(to))] = [from as i32, to as i32];
+/// Where items go when sorted by a small key, stably: of the key of each, below `keys`, makes its place.
+fn to_places(key_of: &mut [u32], keys: usize) {
+    let mut next = vec![0_u32; keys];
+    for &key in key_of.iter() {
+        next[key as usize] += 1;
     }
-    Ok(edges)
-}
-
-/// The triangles on the right and on the left of every edge.
-fn read_dual_edges(
-    mesh: &impl Flat,
-    sequence: &[u32],
-    mut places: Places,
-    triangle_of: &[i32],
-    watch: Watch<'_>,
-) -> Result<Vec<[i32; 2]>> {
-    let mut dual_edges = vec![[0; 2]; mesh.num_undirected_edges()];
-    for (step, (edge, lowest)) in mesh.undirected_edges().zip(lowest_ends(mesh, sequence)).enumerate() {
-        watch.poll_at(step)?;
-        let edge = edge.as_directed();
-        dual_edges[places.take(lowest)] = [edge.rev(), edge].map(|side| triangle_of[side.face().index()]);
+    let mut places = 0;
+    for slot in &mut next {
+        places += std::mem::replace(slot, places);
     }
-    Ok(dual_edges)
-}
-
-/// Triangles, and the number of every face (-1 for the outside).
-fn read_triangles(mesh: &impl Flat, sequence: &[u32]) -> (Vec<[i32; 3]>, Vec<i32>) {
-    let corners: Vec<[u32; 3]> =
-        mesh.inner_faces().map(|face| face.vertices().map(|vertex| sequence[vertex.index()])).collect();
-    let lowest = |[a, b, c]: [u32; 3]| a.min(b).min(c);
-    let mut places = Places::count(corners.iter().map(|&corners| lowest(corners)), sequence.len());
-    let mut triangles = vec![[0; 3]; corners.len()];
-    let mut triangle_of = vec![-1; mesh.num_all_faces()];
-    for (face, corners) in mesh.inner_faces().zip(corners) {
-        let place = places.take(lowest(corners));
-        triangles[place] = corners.map(|corner| corner as i32);
-        triangle_of[face.index()] = place as i32;
-    }
-    (triangles, triangle_of)
-}
-
-/// Where items go when sorted by a small key, stably.
-#[derive(Clone)]
-struct Places {
-    /// The next place of each key.
-    next: Vec<u32>,
-}
-
-impl Places {
-    /// For items with `items` as their keys, each less than `keys`.
-    fn count(items: impl Iterator<Item = u32>, keys: usize) -> Self {
-        let mut next = vec![0_u32; keys];
-        for key in items {
-            next[key as usize] += 1;
-        }
-        let mut places = 0;
-        for slot in &mut next {
-            places += std::mem::replace(slot, places);
-        }
-        Self { next }
-    }
-
-    /// The place of the next item with this key.
-    #[inline]
-    fn take(&mut self, key: u32) -> usize {
-        let place = &mut self.next[key as usize];
+    for key in key_of {
+        let place = &mut next[*key as usize];
+        *key = *place;
         *place += 1;
-        *place as usize - 1
     }
 }

@@ -43,8 +43,9 @@ fn compare(points: &[Point], a: u32, b: u32) -> std::cmp::Ordering {
 
 /// Sorts `run` by cell, and returns the ranges of it that share a cell.
 fn along_curve(points: &[Point], run: &mut [u32], square: Square) -> Vec<(usize, usize)> {
-    let mut keys: Vec<u64> =
-        run.iter().map(|&row| (u64::from(square.key(points[row as usize])) << 32) | u64::from(row)).collect();
+    let rows: &[u32] = run;
+    let mut keys =
+        parallel::map(rows.len(), |i| (u64::from(square.key(points[rows[i] as usize])) << 32) | u64::from(rows[i]));
     parallel::sort(&mut keys);
     for (row, key) in run.iter_mut().zip(&keys) {
         *row = *key as u32;

@@ -65,16 +65,22 @@ pub fn projection_sign(p: Point, q: Point, a: Point, b: Point) -> f64 {
 /// Not negative when some circle through `p` and `q` contains neither circumcentre, i.e. when the angles at `r` and
 /// `s` add up to at most 90°: then `pq` is crust. Zero is the tie.
 pub fn one_step_sign(p: Point, q: Point, r: Point, s: Point) -> f64 {
-    let ([dot_r, cross_r], [size_dot_r, size_cross_r]) = apex(p, q, r);
-    let ([dot_s, cross_s], [size_dot_s, size_cross_s]) = apex(p, q, s);
-    let value = dot_r * dot_s + cross_r * cross_s;
-    if value.abs() > FILTER * (size_dot_r * size_dot_s + size_cross_r * size_cross_s) {
+    let (value, error) = one_step_value(p, q, r, s);
+    if value.abs() > error {
         return value.signum();
     }
     one_step_integer(p, q, r, s).unwrap_or_else(|| {
         let ((dot_r, cross_r), (dot_s, cross_s)) = (exact_apex(p, q, r), exact_apex(p, q, s));
         dot_r.times(&dot_s).plus(&cross_r.times(&cross_s)).sign()
     })
+}
+
+/// The number whose sign [`one_step_sign`] gives, rounded, and a bound on the error of that.
+#[inline]
+pub fn one_step_value(p: Point, q: Point, r: Point, s: Point) -> (f64, f64) {
+    let ([dot_r, cross_r], [size_dot_r, size_cross_r]) = apex(p, q, r);
+    let ([dot_s, cross_s], [size_dot_s, size_cross_s]) = apex(p, q, s);
+    (dot_r * dot_s + cross_r * cross_s, FILTER * (size_dot_r * size_dot_s + size_cross_r * size_cross_s))
 }
 
 /// Dot and cross product of the two sides at `r`, and the sums of the absolute values of their terms.

@@ -36,20 +36,18 @@ pub use rings::Rings;
 pub use second::{Second, second};
 
 use crate::diagram::{DiagramView, shared};
+use crate::parallel;
 
 /// Dual edges of the rows in `mask` that join two different finite vertices, coincident vertices represented by the
 /// lowest triangle.
 pub fn axis_edges(view: DiagramView<'_>, mask: &[bool]) -> Vec<[i32; 2]> {
-    let kept = view.dual_edges.iter().zip(mask).filter(|(dual, kept)| **kept && !dual.contains(&-1));
-    let lowest = shared(view);
-    // How many there will be is not seen from outside, and growing a table is dearer than counting.
-    let mut edges = Vec::with_capacity(mask.iter().filter(|kept| **kept).count());
-    match lowest {
-        None => edges.extend(kept.map(|(dual, _)| *dual)),
-        Some(lowest) => {
-            let ends = kept.map(|(dual, _)| [lowest[dual[0] as usize], lowest[dual[1] as usize]]);
-            edges.extend(ends.filter(|[a, b]| a != b));
-        }
+    let rows = mask.len().min(view.dual_edges.len());
+    let kept = |k: usize| Some(view.dual_edges[k]).filter(|dual| mask[k] && !dual.contains(&-1));
+    match shared(view) {
+        None => parallel::compact(rows, kept),
+        Some(lowest) => parallel::compact(rows, |k| {
+            let ends = kept(k)?.map(|t| lowest[t as usize]);
+            (ends[0] != ends[1]).then_some(ends)
+        }),
     }
-    edges
 }
