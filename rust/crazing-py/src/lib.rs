@@ -27,8 +27,8 @@ mod _core {
     use crate::crack::branches::{crack_parted, crack_stubs};
     #[pymodule_export]
     use crate::crack::{
-        crack_arrivals, crack_impact, crack_pairs, crack_roughen, crack_split, crack_straighten, crack_trim,
-        crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
+        crack_arrivals, crack_impact, crack_pairs, crack_roughen, crack_spacing, crack_split, crack_straighten,
+        crack_trim, crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
     };
     #[pymodule_export]
     use crate::diagram::{
