@@ -3,9 +3,7 @@
 pub(crate) mod branches;
 
 use crazing::Point;
-use crazing::crack::{
-    self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Roughness, Splitting, Straightening,
-};
+use crazing::crack::{self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Splitting, Straightening};
 use crazing::rng::Key;
 use crazing::sample::Density;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
@@ -147,32 +145,6 @@ pub(crate) type AgedOut<'py> = (NetOut<'py>, FenceOut<'py>, Row<'py, i32>, Row<'
 fn aged_out(py: Python<'_>, aged: Aged) -> PyResult<AgedOut<'_>> {
     let [partner, age] = [aged.partner, aged.age].map(|entries| PyArray1::from_vec(py, entries));
     Ok((net_out(py, aged.net)?, fence_out(py, aged.fence)?, partner, age))
-}
-
-/// The rough drawing, a fence that nothing can move behind, its partners, and the edge that each piece is of.
-#[pyfunction]
-#[allow(clippy::too_many_arguments, reason = "the face passes them one by one")]
-pub(crate) fn crack_roughen<'py>(
-    py: Python<'py>,
-    net: NetArrays<'py>,
-    partner: PyReadonlyArray1<'py, i32>,
-    fence: FenceArrays<'py>,
-    amplitude: f64,
-    hurst: f64,
-    unit: f64,
-    grain: f64,
-    key: Key,
-) -> PyResult<AgedOut<'py>> {
-    let net = net.view()?;
-    let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);
-    let how = Roughness { amplitude, hurst, unit, grain };
-    let (rough, fence) = detached(py, |watch| {
-        let rough = crack::roughen(net, partner, fence, how, key, watch)?;
-        let fence = Fence::shut(rough.net.view());
-        Ok((rough, fence))
-    })?;
-    let [partner, origin] = [rough.partner, rough.origin].map(|entries| PyArray1::from_vec(py, entries));
-    Ok((net_out(py, rough.net)?, fence_out(py, fence)?, partner, origin))
 }
 
 /// The vertices after a smooth warp.

@@ -49,13 +49,13 @@ fn main() {
     (net.vertices, _) =
         timed("warp", unit, || warp(straight.view(), fence, 0.035 * spacing, bounds, [3, 4], watch).unwrap());
     let how = Stubs { rate: 0.5 / spacing, length: 0.37 * spacing, spread: 0.06, lean: 0.14 };
-    let (grown, _) =
-        timed("stubs", unit, || stubs(net.view(), &partner, fence, bounds, how, [5, 6], watch).unwrap());
+    let (grown, _) = timed("stubs", unit, || stubs(net.view(), &partner, fence, bounds, how, [5, 6], watch).unwrap());
     let how = Roughness { amplitude: 0.01, hurst: 0.7, unit: spacing, grain: 0.2 * spacing };
     let (rough, _) = timed("roughen", unit, || {
         roughen(grown.net.view(), &grown.partner, grown.fence.view(), how, [7, 8], watch).unwrap()
     });
-    let (net, profile) = (rough.net.view(), Profile { width: 0.05 * spacing, unevenness: 0.2, unit: spacing, ..Profile::default() });
+    let (net, profile) =
+        (rough.net.view(), Profile { width: 0.05 * spacing, unevenness: 0.2, unit: spacing, ..Profile::default() });
     let (found, _) = timed("strands", unit, || strands(net, &rough.partner, &[]));
     timed("widths", unit, || widths(net, &found, profile, [9, 10]).unwrap());
     let how = Splitting { cells: n, jitter: 0.3, bend: 1.0, anisotropy: 1.0, angle: 0.0 };

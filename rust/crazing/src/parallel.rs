@@ -92,12 +92,7 @@ pub(crate) fn shared<T>(mut all: &mut [T], counts: impl Iterator<Item = usize>) 
 
 /// `f` of each of some parts that hold `len` items in all, in any order.
 pub(crate) fn parts<P: Send>(len: usize, parts: Vec<P>, f: impl Fn(P) + Sync + Send) {
-    choose(
-        len,
-        (parts, f),
-        |(parts, f)| parts.into_iter().for_each(f),
-        |(parts, f)| parts.into_par_iter().for_each(f),
-    );
+    choose(len, (parts, f), |(parts, f)| parts.into_iter().for_each(f), |(parts, f)| parts.into_par_iter().for_each(f));
 }
 
 /// Sorts; equal keys cannot be told apart, so the result does not depend on the number of threads.

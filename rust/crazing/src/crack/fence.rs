@@ -197,13 +197,15 @@ impl<'a> Guard<'a> {
     /// above that of [`Guard::is_clear`], by enough for all roundings.
     fn is_free(&self, row: usize, goals: &[Point]) -> bool {
         let kite = self.fence.kites[row];
+        if kite.into_iter().all(|corner| corner as usize >= self.movable) {
+            return true;
+        }
         if kite[2] < 0 || kite[3] < 0 {
             return false;
         }
         let way = |i: usize| {
             let corner = kite[i] as usize;
-            let start = self.moved(row, i, self.points[corner]);
-            [start, if corner < self.movable { self.moved(row, i, goals[corner]) } else { start }]
+            [self.moved(row, i, self.points[corner]), self.moved(row, i, goals[corner])]
         };
         let (a, b, left, right) = (way(0), way(1), way(2), way(3));
         self.paves(a, b, left) && self.paves(b, a, right)
@@ -212,22 +214,23 @@ impl<'a> Guard<'a> {
     /// Whether a triangle is far from flat with its corners at any of their two places; two of `r` may be one.
     #[inline]
     fn paves(&self, p: [Point; 2], q: [Point; 2], r: [Point; 2]) -> bool {
-        let (mut least, mut most, mut is_positive) = (f64::INFINITY, 0.0_f64, true);
-        let apexes = if r[0] == r[1] { &r[..1] } else { &r[..] };
-        for r in apexes {
-            for p in &p {
-                let (x, y) = (r[0] - p[0], r[1] - p[1]);
-                for q in &q {
-                    let (u, v) = (q[0] - p[0], q[1] - p[1]);
-                    let area = u * y - v * x;
-                    least = least.min(area);
-                    // No NaN is positive, and a least of some would not show it.
-                    is_positive &= area > 0.0;
-                    most = most.max(u * u + v * v + x * x + y * y);
-                }
-            }
-        }
-        is_positive && least > 8.0 * FLAT * most && least > 64.0 * f64::EPSILON * self.large * most.sqrt()
+        self.is_wide(p, q, r[0]) && (r[0] == r[1] || self.is_wide(p, q, r[1]))
+    }
+
+    /// The same with one corner at one place. Twice the squares of two sides are more than that of the third.
+    #[inline]
+    fn is_wide(&self, p: [Point; 2], q: [Point; 2], r: Point) -> bool {
+        let [p, q] = [p, q].map(|way| way.map(|place| [place[0] - r[0], place[1] - r[1]]));
+        let area = |p: Point, q: Point| p[0] * q[1] - p[1] * q[0];
+        let areas = [area(p[0], q[0]), area(p[0], q[1]), area(p[1], q[0]), area(p[1], q[1])];
+        let square = |[first, second]: [Point; 2]| {
+            (first[0] * first[0] + first[1] * first[1]).max(second[0] * second[0] + second[1] * second[1])
+        };
+        let most = 2.0 * (square(p) + square(q));
+        let least = areas[0].min(areas[1]).min(areas[2].min(areas[3]));
+        let rounded = 64.0 * f64::EPSILON * self.large;
+        // No NaN is positive, and a least of some would not show it.
+        areas.iter().all(|&area| area > 0.0) && least > 8.0 * FLAT * most && least * least > rounded * rounded * most
     }
 
     fn allows(&self, about: &[u32], vertex: usize, to: Point, now: impl Fn(usize) -> Point) -> bool {

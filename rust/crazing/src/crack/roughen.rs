@@ -1,14 +1,16 @@
 //! Rough cracks: 1/f wandering about their straight edges, pinned at the nodes.
 
+mod noise;
+
 use super::fence::{FenceView, Guard};
 use super::net::{Ends, NONE, Net, NetView};
 use super::room::Room;
 use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::parallel;
-use crate::quantile;
-use crate::rng::{Key, block, open_unit, stream};
+use crate::rng::Key;
 use crate::watch::Watch;
+use noise::{Bridge, wavy};
 
 /// Most halvings of one edge.
 const DEEPEST: u32 = 8;
@@ -97,41 +99,6 @@ pub fn roughen(
     Ok(assemble(moved, partner, &starts, &inner))
 }
 
-/// Standard normal numbers, one of its own for every place on an edge.
-struct Noise {
-    key: Key,
-    edge: u64,
-    level: u64,
-    block: u64,
-    words: [u64; 4],
-}
-
-impl Noise {
-    fn of(key: Key, edge: usize, level: u64) -> Self {
-        let words = block(key, [edge as u64, 0, stream::ROUGHNESS, level]);
-        Self { key, edge: edge as u64, level, block: 0, words }
-    }
-
-    fn at(&mut self, index: usize) -> f64 {
-        if index as u64 / 4 != self.block {
-            self.block = index as u64 / 4;
-            self.words = block(self.key, [self.edge, self.block, stream::ROUGHNESS, self.level]);
-        }
-        quantile::normal(open_unit(self.words[index % 4]))
-    }
-}
-
-impl Roughness {
-    /// Standard deviation in the middle of a stretch.
-    fn deviation(&self, length: f64) -> f64 {
-        if length > 0.0 && self.unit > 0.0 {
-            self.amplitude * self.unit * libm::pow(length / self.unit, self.hurst)
-        } else {
-            0.0
-        }
-    }
-}
-
 /// Moves the vertices of degree 2 across their crack.
 fn wander(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, watch: Watch<'_>) -> Result<Vec<Point>> {
     let ends = Ends::of(net);
@@ -201,43 +168,6 @@ fn chain(
     }
 }
 
-/// Memory that one chain after another is bridged in.
-#[derive(Default)]
-struct Bridge {
-    /// How far along the chain its vertices lie.
-    along: Vec<f64>,
-    heights: Vec<f64>,
-    stretches: Vec<(usize, usize)>,
-}
-
-impl Bridge {
-    /// Finds the heights at the vertices along a chain; zero at both ends.
-    fn over(&mut self, net: NetView<'_>, how: Roughness, key: Key, chain: &[u32]) {
-        let Self { along, heights, stretches } = self;
-        along.clear();
-        along.push(0.0);
-        for (i, &end) in chain.iter().enumerate() {
-            along.push(along[i] + net.length(end as usize / 2));
-        }
-        heights.clear();
-        heights.resize(along.len(), 0.0);
-        let mut noise = Noise::of(key, chain[0] as usize, 1);
-        stretches.push((0, chain.len()));
-        while let Some((from, to)) = stretches.pop() {
-            if to - from < 2 {
-                continue;
-            }
-            let (middle, length) = (usize::midpoint(from, to), along[to] - along[from]);
-            let part = if length > 0.0 { (along[middle] - along[from]) / length } else { 0.5 };
-            let spread = how.deviation(length) * 2.0 * (part * (1.0 - part)).max(0.0).sqrt();
-            let between = heights[from] + part * (heights[to] - heights[from]);
-            heights[middle] = between + spread * noise.at(middle);
-            stretches.push((from, middle));
-            stretches.push((middle, to));
-        }
-    }
-}
-
 /// How often an edge is halved.
 fn halvings(room: &Room, how: Roughness) -> u32 {
     let across = room.sides[0][1].max(room.sides[1][1]);
@@ -249,22 +179,6 @@ fn halvings(room: &Room, how: Roughness) -> u32 {
         depth += 1;
     }
     depth
-}
-
-/// Heights along an edge; from one level to the next deviation is `next` as large.
-fn wavy(heights: &mut [f64], mut spread: f64, next: f64, key: Key, edge: usize) {
-    let count = heights.len() - 1;
-    let mut noise = Noise::of(key, edge, 2);
-    (heights[0], heights[count]) = (0.0, 0.0);
-    let mut stretch = count;
-    while stretch > 1 {
-        for middle in (stretch / 2..count).step_by(stretch) {
-            let between = 0.5 * (heights[middle - stretch / 2] + heights[middle + stretch / 2]);
-            heights[middle] = between + spread * noise.at(middle);
-        }
-        spread *= next;
-        stretch /= 2;
-    }
 }
 
 /// Adds the places of the inner vertices of an edge.

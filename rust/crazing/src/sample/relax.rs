@@ -120,7 +120,8 @@ impl Corners {
             let (p, q) = (a[0] * b[1], a[1] * b[0]);
             let cross = p - q;
             // Outside the hull neighbours turn by half a turn or more.
-            if !(cross > WIDE * (p.abs() + q.abs())) {
+            let is_wide = cross > WIDE * (p.abs() + q.abs());
+            if !is_wide {
                 return false;
             }
             let part = 0.5 / cross;
