@@ -22,6 +22,9 @@ subprocess.run(command, check=True)
 assert Path("crack.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
 assert cz.maze(np.random.default_rng(7).random((500, 2)), rng=7).passages.shape == (499, 2)
 
+shipped = {Path(str(path)).name for path in importlib.metadata.files("crazing") or []}
+assert {"LICENSE", "NOTICES.txt"} <= shipped, "licences are missing"
+
 # NumPy, click, rich and what these bring; no extra came along.
 installed = {dist.name.lower() for dist in importlib.metadata.distributions()}
 extras = installed & {

@@ -1,4 +1,4 @@
-"""The build backend: maturin's, after one look for the Rust compiler.
+"""The build backend: maturin's, after one look for the Rust compiler, and with the licences of what is linked.
 
 Without the look, maturin tries to download a compiler and fails, on a machine without network, in a long
 trace that does not say what to install.
@@ -13,6 +13,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import maturin
+import notices
 from maturin import *  # noqa: F403
 
 
@@ -55,3 +57,12 @@ def get_requires_for_build_wheel(config_settings: Mapping[str, Any] | None = Non
 
 get_requires_for_build_editable = get_requires_for_build_wheel
 get_requires_for_build_sdist = get_requires_for_build_wheel
+
+
+def build_wheel(
+    wheel_directory: str, config_settings: Mapping[str, Any] | None = None, metadata_directory: str | None = None
+) -> str:
+    """Maturin's wheel, with the licence texts of the Rust libraries in it."""
+    name = str(maturin.build_wheel(wheel_directory, config_settings, metadata_directory))
+    notices.add(Path(wheel_directory) / name, notices.notices(Path(__file__).parent.parent))
+    return name

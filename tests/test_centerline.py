@@ -54,6 +54,14 @@ def test_two_holes_are_walked_round() -> None:
     assert polygon.buffer(1e-9).contains(line.to_shapely())
 
 
+class Series:
+    """What a GeoSeries of GeoPandas tells of itself."""
+
+    def __init__(self, *shapes: Any) -> None:
+        features = [{"type": "Feature", "geometry": s and s.__geo_interface__, "properties": {}} for s in shapes]
+        self.__geo_interface__ = {"type": "FeatureCollection", "features": features}
+
+
 def forms() -> dict[str, Any]:
     shape = shapely.Polygon(BOX)
     closed = [*BOX, BOX[0]]
@@ -67,6 +75,16 @@ def forms() -> dict[str, Any]:
         "clockwise": (shape.exterior.coords[::-1], []),
         "array": np.array(BOX),
         "closed list": closed,
+        "collection": shapely.GeometryCollection([shape]),
+        "series": Series(shape, None),
+        "list of shapely": [shape],
+        "array of shapely": np.array([shape]),
+        "ring of shapely": shape.exterior,
+        "list of rings": [BOX],
+        "feature without geometry beside it": {
+            "type": "FeatureCollection",
+            "features": [{"type": "Feature", "geometry": None}, {"type": "Feature", "geometry": shape}],
+        },
     }
 
 
@@ -99,12 +117,20 @@ def test_any_star_has_one_tree_inside(seed: int, corners: int) -> None:
 
 REFUSED: dict[str, tuple[Any, type[Exception], str]] = {
     "a bow": ([(0, 0), (4, 4), (4, 0), (0, 3)], cz.CrazingError, "boundary"),
+    "an even bow": ([(0, 0), (4, 4), (4, 0), (0, 4)], cz.CrazingError, r"not plain: outline side .* crosses"),
+    "overlapping parts": ([shapely.box(0, 0, 4, 1), shapely.box(2, 0, 6, 2)], cz.CrazingError, "not plain"),
+    "a hole as large as the shell": ((BOX, [BOX]), cz.DegenerateInputError, "no area"),
+    "no coordinates": ({"type": "Polygon"}, ValueError, "polygon is a Polygon whose coordinates are None"),
+    "no ring": ({"type": "Polygon", "coordinates": [5]}, ValueError, "ring 0 of polygon is 5; a list of positions"),
+    "no rings": ({"type": "MultiPolygon", "coordinates": [None]}, ValueError, "polygon 0 of polygon is None"),
+    "a feature of nothing": ({"type": "Feature", "geometry": None}, cz.DegenerateInputError, "polygon is empty"),
+    "a number": (7, TypeError, "polygon is 7; a polygon, a ring or a list"),
     "two points": ([(0, 0), (1, 1)], ValueError, "wanted"),
     "nothing": (shapely.Polygon(), cz.DegenerateInputError, "polygon is empty"),
     "flat": ([(0, 0), (1, 1), (2, 2)], cz.DegenerateInputError, "no area"),
     "nan": ([(0, 0), (1, 0), (float("nan"), 1)], cz.CrazingError, "finite"),
-    "a line": (shapely.LineString(BOX), TypeError, "LineString"),
-    "text": ("POLYGON", TypeError, "dtype"),
+    "a line": (shapely.LineString(BOX), ValueError, "LineString"),
+    "text": ("POLYGON", TypeError, "polygon is 'POLYGON'; a polygon, a ring or a list"),
 }
 
 
@@ -119,3 +145,70 @@ def test_what_is_no_polygon_is_refused(name: str) -> None:
 def test_spacings_that_cannot_be_are_refused(spacing: float) -> None:
     with pytest.raises(ValueError, match="spacing is"):
         cz.centerline(BOX, spacing=spacing)
+
+
+def test_holes_are_holes_in_any_form() -> None:
+    hole = [(3.0, 0.8), (5.0, 0.8), (5.0, 1.2), (3.0, 1.2)]
+    expected = cz.centerline((BOX, [hole]), spacing=0.1)
+    assert len(expected.edges) == len(expected.vertices)
+    for form in ([BOX, hole], [hole, BOX], [[BOX, hole][::-1]][0], shapely.Polygon(BOX, [hole])):
+        assert cz.centerline(form, spacing=0.1).length == pytest.approx(expected.length, rel=1e-6)
+
+
+SQUARE = shapely.box(0, 0, 4, 4)
+TOUCHING = {
+    "a hole at a corner": shapely.Polygon(SQUARE.exterior, [[(0, 0), (2, 1), (1, 2)]]),
+    "a hole at a side": shapely.Polygon(SQUARE.exterior, [[(2, 0), (3, 1), (1, 1)]]),
+    "two holes": shapely.Polygon(
+        shapely.box(0, 0, 9, 9).exterior, [[(2, 2), (4, 4), (2, 6)], [(4, 4), (6, 2), (6, 6)]]
+    ),
+    "two parts": shapely.MultiPolygon([SQUARE, shapely.box(4, 4, 8, 8)]),
+}
+
+
+@pytest.mark.parametrize("name", TOUCHING)
+def test_rings_may_touch(name: str) -> None:
+    polygon = TOUCHING[name]
+    assert polygon.is_valid
+    line = cz.centerline(polygon)
+    # As many pieces as the inside has, and as many cycles as it has holes.
+    inner = polygon.buffer(-1e-6)
+    parts = list(getattr(inner, "geoms", [inner]))
+    assert line.components == len(parts)
+    assert len(line.edges) - len(line.vertices) + line.components == sum(len(part.interiors) for part in parts)
+    assert polygon.buffer(1e-9).contains(line.to_shapely())
+
+
+def test_neighbours_that_share_a_side_are_one() -> None:
+    halves = cz.centerline(shapely.MultiPolygon([shapely.box(0, 0, 4, 2), shapely.box(4, 0, 8, 2)]), spacing=0.1)
+    assert halves.length == pytest.approx(cz.centerline(BOX, spacing=0.1).length, rel=1e-6)
+
+
+def test_a_spike_that_goes_and_comes_back_is_none() -> None:
+    spiked = [(0, 0), (4, 0), (8, 0), (4, 0), (4, 4), (0, 4)]
+    line, plain = (cz.centerline(ring, spacing=0.1).to_shapely() for ring in (spiked, SQUARE))
+    assert line.hausdorff_distance(plain) < 0.2
+
+
+def test_gaps_too_thin_to_be_told_apart_are_named() -> None:
+    shape = [(0, 0), (1e6, 0), (1e6, 1), (0.1, 1e-9), (1e6, 1 + 1e-9), (1e6, 2), (0, 2)]
+    with pytest.raises(cz.CrazingError, match="comes too near to itself"):
+        cz.centerline(shape, spacing=1e5)
+
+
+@pytest.mark.parametrize("exponent", [-1000, -400, 400, 1000])
+@pytest.mark.filterwarnings("error")
+def test_the_unit_of_length_does_not_matter(exponent: int) -> None:
+    unit = 2.0**exponent
+    line = cz.centerline(np.array(BOX) * unit, spacing=0.125 * unit)
+    plain = cz.centerline(BOX, spacing=0.125)
+    np.testing.assert_array_equal(line.vertices, plain.vertices * unit)
+    np.testing.assert_array_equal(line.edges, plain.edges)
+
+
+def test_points_far_from_the_origin_and_in_degrees() -> None:
+    plain = cz.centerline(BOX, spacing=0.05).to_shapely()
+    for scale, at in [(1.0, (5e5, 5e6)), (1e-5, (-71.05, 42.3))]:
+        moved = cz.centerline(np.array(BOX) * scale + at, spacing=0.05 * scale).to_shapely()
+        back = shapely.transform(moved, lambda places, scale=scale, at=at: (places - at) / scale)
+        assert back.hausdorff_distance(plain) < 0.1

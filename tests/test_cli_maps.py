@@ -95,12 +95,13 @@ def test_a_recipe_of_ones_own_with_its_material(tmp_path) -> None:
 
 
 def test_options_change_the_recipe_where_they_are_given(tmp_path) -> None:
-    words = ["--preset", "glaze", "--seed", 2, "--size", 32]
+    words = ["--preset", "painting-dutch", "--seed", 2, "--size", 32]
     done("texture", *words, "--sites", 33, "--opening", 0.9, "-o", tmp_path / "a.png")
     done("texture", *words, "-o", tmp_path / "b.png")
+    dutch = cz.preset("painting-dutch")
     changed, plain = (record_of(tmp_path / name)["source"]["recipe"] for name in ("a.png", "b.png"))
     assert (changed["n"], changed["opening"]) == (33, 0.9)
-    assert plain == json.loads(json.dumps({**plain, "n": cz.preset("glaze").n, "opening": cz.preset("glaze").opening}))
+    assert plain == json.loads(json.dumps({**plain, "n": dutch.n, "opening": dutch.opening}))
 
 
 @pytest.mark.parametrize("ending", [".png", ".tif", ".exr", ".zarr"])
@@ -120,6 +121,16 @@ def test_rerun_of_a_plain_picture(tmp_path, words) -> None:
     assert (tmp_path / "a.png").read_bytes() == (tmp_path / "a.again.png").read_bytes()
 
 
+def test_a_pattern_takes_the_material_of_another_preset(tmp_path) -> None:
+    words = ["--preset", "ice", "--material", "bark", "--seed", 3, "--size", 40]
+    done("texture", *words, "-o", tmp_path / "a.png")
+    c = cz.preset("ice").crack(bounds=(0, 0, 1, 1), rng=3)
+    wanted = cz.texture(c, 40, maps=["color"], material="bark", seed=3)["color"]
+    np.testing.assert_array_equal(read(tmp_path / "a.png"), wanted)
+    done("rerun", tmp_path / "a.png", "-o", tmp_path / "b.png")
+    np.testing.assert_array_equal(read(tmp_path / "b.png"), wanted)
+
+
 def test_frames_show_the_cracks_as_they_grow(tmp_path) -> None:
     words = ["--preset", "glaze", "--seed", 3, "--size", 64, "--frames", 4, "--maps", "mask"]
     report = json.loads(done("texture", *words, "--json", "-o", tmp_path / "mask.png").stdout)
@@ -137,11 +148,23 @@ def test_frames_show_the_cracks_as_they_grow(tmp_path) -> None:
 
 BAD = [
     (["--preset", "mudd"], "a", "mudd"),
+    (["--preset", "mud"], "a", "did you mean 'mud-fresh' or 'mud-mature'?"),
+    (["--preset", "Glaze"], "a", "did you mean 'glaze'?"),
+    (["--preset", "glaze", "--opening", "0.5"], "a", "--opening does nothing for glaze"),
+    (["--preset", "ice", "--distribution", "laplace"], "a", "--distribution does nothing for ice"),
+    (["--preset", "glaze", "--material", "mud"], "a", "did you mean 'mud-"),
+    (["--recipe", "table.toml"], "a", "did you mean 'material'?"),
+    (["--opening", "0.5"], "a.tif", "--maps"),
+    (["--opening", "0.5"], "a", "--maps"),
+    (["--width", "-1"], "a.png", "of at least 0"),
     (["--preset", "glaze", "--recipe", "mine.toml"], "a", "one of them"),
     (["--recipe", "no.toml"], "a", "no.toml"),
     (["--recipe", "bad.toml"], "a", "bad.toml"),
-    (["--recipe", "material.toml"], "a", "grit"),
+    (["--recipe", "material.toml"], "a", "'grian' (did you mean 'grain'"),
     (["--maps", "all"], "a.png", "name a folder"),
+    (["--maps", "color"], "a.jpg", "a.jpg ends in .jpg; .png, .tif"),
+    (["--preset", "rock"], "a.SVG", "or a folder is wanted"),
+    (["--preset", "rock", "--frames", "2"], "a.jpg", "or a folder is wanted"),
     (["--maps", "color,heigth"], "a", "heigth"),
     (["--maps", "all", "--format", "jpg"], "a", "jpg"),
     (["--maps", "mask", "--format", "png"], "a.exr", ".png"),
@@ -162,7 +185,8 @@ def test_bad_combinations_are_one_line_and_code_2(words, output, part, tmp_path,
     monkeypatch.chdir(tmp_path)
     Path("mine.toml").write_text(RECIPE)
     Path("bad.toml").write_text("[recipe]\nn = ")
-    Path("material.toml").write_text("[recipe]\n[material]\ngrit = 3\n")
+    Path("material.toml").write_text("[recipe]\n[material]\ngrian = 3\n")
+    Path("table.toml").write_text("[recipe]\n[materiel]\ngrain = 0\n")
     before = sorted(tmp_path.iterdir())
     result = run("texture", "--seed", 1, "--size", 32, *words, "-o", output)
     assert result.exit_code == 2, result.output
@@ -179,3 +203,10 @@ def test_rerun_of_nothing_is_one_line_and_code_2(name, tmp_path) -> None:
     result = run("rerun", tmp_path / name)
     assert result.exit_code == 2
     assert result.stderr.count("\n") == 1 and name in result.stderr
+
+
+def test_a_plain_picture_is_made_again_as_what_it_is(tmp_path) -> None:
+    done("texture", "--seed", 1, "--size", 8, "-o", tmp_path / "a.png")
+    result = run("rerun", tmp_path / "a.png", "-o", tmp_path / "b.tif")
+    assert result.exit_code == 2 and "does not end in .png" in result.stderr
+    assert not (tmp_path / "b.tif").exists()

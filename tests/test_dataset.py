@@ -147,6 +147,8 @@ def test_another_data_set_is_refused(tmp_path: Path) -> None:
     before = files(tmp_path)
     with pytest.raises(cz.CrazingError, match="another data set: its size is"):
         cz.dataset(2, size=32, rng=6).write(tmp_path)
+    with pytest.raises(cz.CrazingError, match=r"another data set: it was made with another seed; another folder"):
+        cz.dataset(2, size=24, rng=7).write(tmp_path)
     assert files(tmp_path) == before
     (tmp_path / "dataset.json").write_text("{")
     with pytest.raises(cz.CrazingError, match="damaged"):
@@ -191,8 +193,32 @@ def test_the_command_makes_the_same_folder(tmp_path: Path) -> None:
     assert files(tmp_path / "told") == files(tmp_path / "called")
 
 
+def test_the_same_command_without_a_seed_goes_on(tmp_path: Path) -> None:
+    words = ["--size", 24, "--preset", "rock,ice", "--preset", "glaze"]
+    assert run("dataset", "-n", 2, *words, "-o", tmp_path / "a").exit_code == 0
+    before = files(tmp_path / "a")
+    result = run("dataset", "-n", 4, *words, "--json", "-o", tmp_path / "a")
+    assert result.exit_code == 0, result.output
+    told, after = json.loads(result.stdout), files(tmp_path / "a")
+    assert told["made"] == 2 and told["seed"] is None
+    pictures = [name for name in before if name.endswith(("0.png", "1.png"))]
+    assert len(pictures) == 4 and all(before[name] == after[name] for name in pictures)
+    assert "the seed it had" in run("dataset", "-n", 4, *words, "-o", tmp_path / "a").stdout
+    refused(run("dataset", "-n", 4, *words, "--seed", 5, "-o", tmp_path / "a"), "another seed")
+
+
 def test_the_command_refuses(tmp_path: Path) -> None:
     refused(run("dataset", "--preset", "clay", "-o", tmp_path / "a"), "clay", "rock")
     refused(run("dataset", "-o", tmp_path / "no" / "folder"), "lies in no folder")
     refused(run("dataset", "--size", "big", "-o", tmp_path / "a"), "'big'")
     assert not (tmp_path / "a").exists()
+
+
+def test_labels_come_as_asked_for_and_may_be_written_to() -> None:
+    asked = ["strand", "mask", "distance", "coverage", "cell"]
+    made = cz.dataset(1, presets="glaze", size=32, labels=asked, rng=1)[0]
+    assert list(made.labels) == asked
+    for array in (made.image, *made.labels.values()):
+        assert array.flags.writeable and array.flags.owndata and array.flags.c_contiguous
+    with pytest.raises(TypeError, match="index is 'mask'; an integer or a slice"):
+        cz.dataset(1)["mask"]

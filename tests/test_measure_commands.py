@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import crazing as cz
@@ -48,7 +49,8 @@ def test_fit_writes_a_recipe_that_can_be_read(folder: Path) -> None:
         (("measure", "mask.png", "--preset", "marble"), "marble"),
         (("measure", "mask.png", "--spur", "-1"), "spur"),
         (("fit", "mask.png", "-o", "mine.png"), ".toml"),
-        (("fit", "mask.png", "--level", "2", "-o", "mine.toml"), "no line"),
+        (("fit", "mask.png", "--level", "2", "-o", "mine.toml"), "--level"),
+        (("measure", "mask.png", "--preset", "italian"), "did you mean 'painting-italian'?"),
     ],
 )
 def test_bad_input_is_one_line_and_two(folder: Path, arguments: tuple[str, ...], words: str) -> None:
@@ -56,3 +58,44 @@ def test_bad_input_is_one_line_and_two(folder: Path, arguments: tuple[str, ...],
     assert shown.returncode == 2
     assert shown.stderr.count("\n") == 1 and words in shown.stderr
     assert not (folder / "mine.toml").exists()
+
+
+def test_masks_of_zeros_and_ones_are_masks(folder: Path) -> None:
+    mask = stamp(cz.crack(n=60, opening=0.6, rng=1), 300)
+    cz.save_png(folder / "ones.png", mask.astype(np.uint8))
+    shown = run(folder, "measure", "ones.png")
+    assert (shown.returncode, shown.stderr) == (0, "")
+    assert shown.stdout == run(folder, "measure", "mask.png").stdout
+    for integers in (np.uint8, np.int32, np.uint16):
+        assert cz.measure(mask.astype(integers)) == cz.measure(mask)
+    with pytest.raises(TypeError, match="read_image"):
+        cz.measure("mask.png")
+    # Two is no mask of zeros and ones, and hardly brighter than black.
+    assert cz.measure(2 * mask.astype(np.uint8)).nodes == 0
+
+
+@pytest.mark.parametrize(
+    ("picture", "options", "words"),
+    [
+        (np.zeros((60, 60), np.uint8), (), "no crack"),
+        (np.full((60, 60), 255, np.uint8), (), "100% of"),
+        (np.full((60, 60), 255, np.uint8), ("--dark",), "no crack"),
+        (
+            255 * (np.indices((400, 400)).sum(axis=0) % 20 < 2).astype(np.uint8) * (np.arange(400) % 40 < 30),
+            (),
+            "pieces",
+        ),
+    ],
+)
+def test_what_is_hardly_a_mask_is_remarked_on(tmp_path: Path, picture, options, words: str) -> None:
+    cz.save_png(tmp_path / "odd.png", picture.astype(np.uint8))
+    shown = run(tmp_path, "measure", "odd.png", "--json", *options)
+    assert shown.returncode == 0 and json.loads(shown.stdout)["mask"] == "odd.png"
+    assert shown.stderr.startswith("Note: ") and shown.stderr.count("\n") == 1 and words in shown.stderr
+
+
+def test_fit_says_how_far_it_is_off(folder: Path) -> None:
+    shown = run(folder, "fit", "mask.png", "--budget", "3", "--seed", "1", "--json", "-o", "mine.toml")
+    told = json.loads(shown.stdout)
+    recipe = cz.Recipe.load(folder / "mine.toml")
+    assert (told["n"], told["opening"], told["seed"]) == (recipe.n, recipe.opening, 1) and 0 < told["off"] < 4

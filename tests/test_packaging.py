@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import base64
+import csv
+import hashlib
 import importlib.metadata
 import importlib.util
 import os
@@ -11,6 +14,7 @@ import subprocess
 import sys
 import tomllib
 import types
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -22,6 +26,7 @@ import crazing as cz
 def backend(root: Path, monkeypatch: pytest.MonkeyPatch) -> types.ModuleType:
     """The build backend on top of an empty maturin, which the test extra does not install."""
     monkeypatch.setitem(sys.modules, "maturin", types.ModuleType("maturin"))
+    monkeypatch.syspath_prepend(root / "rust")
     spec = importlib.util.spec_from_file_location("build_backend", root / "rust" / "build_backend.py")
     assert spec is not None
     assert spec.loader is not None
@@ -83,6 +88,31 @@ def test_the_package_is_typed_and_licensed() -> None:
     assert (package / "_core.pyi").exists()
     assert any(name.endswith("licenses/LICENSE") for name in files)
     assert importlib.metadata.metadata("crazing")["License-Expression"] == "MIT"
+
+
+def test_a_wheel_brings_the_licences_of_what_it_is_linked_from(
+    backend: types.ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def build_wheel(folder: str, settings: object, metadata: object) -> str:
+        with zipfile.ZipFile(Path(folder) / "crazing-1.whl", "w") as wheel:
+            wheel.writestr("crazing/__init__.py", "")
+            wheel.writestr("crazing-1.dist-info/RECORD", "crazing/__init__.py,,\n")
+        return "crazing-1.whl"
+
+    monkeypatch.setattr(sys.modules["maturin"], "build_wheel", build_wheel, raising=False)
+    assert backend.build_wheel(str(tmp_path)) == "crazing-1.whl"
+    assert [path.name for path in tmp_path.iterdir()] == ["crazing-1.whl"]
+    with zipfile.ZipFile(tmp_path / "crazing-1.whl") as wheel:
+        assert wheel.namelist()[::2] == ["crazing/__init__.py", "crazing-1.dist-info/RECORD"]
+        text = wheel.read("crazing-1.dist-info/licenses/NOTICES.txt")
+        *_, (name, digest, size) = csv.reader(wheel.read("crazing-1.dist-info/RECORD").decode().splitlines())
+    assert name.endswith("NOTICES.txt")
+    assert int(size) == len(text)
+    assert digest == "sha256=" + base64.urlsafe_b64encode(hashlib.sha256(text).digest()).decode().rstrip("=")
+    for library in ("pyo3", "numpy", "spade", "tiny-skia", "rayon"):
+        assert re.search(rf"^{library} \d[\d.]+ \(", text.decode(), re.MULTILINE), library
+    # That of tiny-skia wants its text in every binary.
+    assert b"Redistributions in binary form must reproduce" in text
 
 
 def test_the_editors_page_is_in_the_package(root: Path) -> None:

@@ -45,7 +45,7 @@ def test_toml_there_and_back(tmp_path_factory, title: str, opening: float, n: in
 FAULTS = {
     "[recipe]\nopning = 1": (
         ValueError,
-        r"mine.toml: \[recipe\] has no key 'opning'; it may have generator, n, sampler",
+        r"mine.toml: \[recipe\] has no key 'opning' \(did you mean 'opening'[^)]*\?\); it may have generator, n",
     ),
     "[recipe]\nopening = 2": (ValueError, r"mine.toml: opening is 2.0; a finite number from 0 to 1"),
     "[recipe]\nopening = nan": (ValueError, r"mine.toml: opening is nan"),
@@ -55,7 +55,8 @@ FAULTS = {
     "[recipe]\ntree = 3": (ValueError, r"mine.toml: tree is 3; one of"),
     "[recipe]\ntitle = 'x'": (ValueError, r"mine.toml: \[recipe\] has no key 'title'"),
     "title = 3\n[recipe]": (TypeError, r"mine.toml: title is 3; text"),
-    "[targets]\nn = 1": (ValueError, r"mine.toml has no table \[recipe\]"),
+    "[targets]\nn = 1": (ValueError, r"mine.toml has no table \[recipe\]; it has targets"),
+    "": (ValueError, r"mine.toml has no table \[recipe\]; it has nothing"),
     "recipe = 3": (ValueError, r"mine.toml has no table \[recipe\]"),
     "recipe = [": (ValueError, r"mine.toml is no TOML file"),
     "\udcff": (ValueError, r"mine.toml is no TOML file"),
@@ -80,3 +81,7 @@ def test_other_faults_are_named(tmp_path: Path) -> None:
         cz.crack(period=(1, 1), bounds=(0, 0, 1, 1))
     with pytest.raises(FileNotFoundError):
         cz.Recipe.load(tmp_path / "none.toml")
+    with pytest.raises(TypeError, match="preset='glaze'"):
+        cz.crack("glaze")
+    with pytest.raises(ValueError, match=r"'thicknes' \(did you mean 'thickness'"):
+        cz.crack(thicknes=1)

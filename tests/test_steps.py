@@ -105,14 +105,15 @@ def topology(c: cz.Crack) -> tuple[int, int, int, int]:
 
 
 HARD = {"roughness": 0.8, "hurst": 0.4, "grain": 0.05, "warp": 0.5}
+CURVED = {"rounding": 1.0, "grain": 0.05}
 
 
 @pytest.mark.parametrize("period", [None, (1.0, 0.5)])
 @pytest.mark.parametrize("generator", ["maze", "splitting", "impact"])
 def test_rough_and_warped_cracks_keep_their_topology_and_never_cross(generator: str, period) -> None:
-    for seed in range(3):
+    for seed, moved in enumerate((HARD, CURVED, {**HARD, **CURVED})):
         where = {"period": period, "rng": seed, "n": 60, "opening": 0.5, "generator": generator}
-        plain, rough = cz.crack(**where), cz.crack(**where, **HARD)
+        plain, rough = cz.crack(**where), cz.crack(**where, **moved)
         assert len(rough.graph.edges) > 3 * len(plain.graph.edges)
         assert topology(rough) == topology(plain)
         assert crossings(plain) == crossings(rough) == 0
@@ -145,6 +146,33 @@ def test_displacement_grows_with_length_to_the_power_of_hurst(hurst: float) -> N
 
     assert middle(1.0) == pytest.approx(0.05, rel=0.1)
     assert np.log2(middle(4.0) / middle(1.0)) / 2 == pytest.approx(hurst, abs=0.1)
+
+
+@pytest.mark.parametrize("corners", [12, 20])
+def test_a_rounded_ring_is_nearly_a_circle(corners: int) -> None:
+    around = 2 * np.pi * np.arange(corners) / corners
+    ring = np.column_stack([np.cos(around), np.sin(around)])
+    drawing = cz.steps.draw(
+        cz.PlanarGraph(ring, np.column_stack([np.arange(corners), np.roll(np.arange(corners), -1)]))
+    )
+    # A cubic with the slopes of the chords' neighbours rises so far, the circle hardly less.
+    flat, rise = 1 - np.cos(np.pi / corners), np.sin(np.pi / corners) * np.tan(np.pi / corners) / 2
+    for rounding in (0.5, 1.0):
+        bent = cz.steps.roughen(drawing, roughness=0, unit=1, grain=0.05, rounding=rounding, rng=1)
+        turned = np.arctan2(*bent.vertices.T[::-1]) * corners / np.pi % 2
+        middle = np.hypot(*bent.vertices[np.isclose(turned, 1)].T)
+        assert len(middle) == corners
+        np.testing.assert_allclose(1 - middle, flat - rounding * rise, atol=1e-9)
+    assert rise == pytest.approx(flat, rel=0.03)
+
+
+def test_cracks_that_go_on_nowhere_stay_straight() -> None:
+    # A long crack, one that abuts it, and one alone: no turn at any vertex, so that nothing is bent.
+    places = [(0, 0), (1, 0), (2, 0), (1, 1), (3, 1), (4, 2)]
+    drawing = cz.steps.draw(cz.PlanarGraph(places, [(0, 1), (1, 2), (1, 3), (4, 5)]))
+    bent = cz.steps.roughen(drawing, roughness=0, unit=1, grain=0.1, rounding=1, rng=1)
+    plain = cz.PlanarGraph(bent.vertices, bent.edges)
+    assert plain.length == pytest.approx(2 + 1 + np.sqrt(2), abs=1e-12)
 
 
 @pytest.mark.parametrize("seed", range(4))

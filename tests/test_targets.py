@@ -51,3 +51,12 @@ def test_limits_are_two_deviations_or_twenty_four_percent() -> None:
 def test_an_unknown_preset_is_named() -> None:
     with pytest.raises(ValueError, match="preset"):
         cz.targets("marble")
+
+
+def test_statistics_take_the_targets_of_a_preset() -> None:
+    found, wanted = cz.measure(cz.crack(n=60, rng=1)), cz.targets("painting-italian")
+    assert found.score(wanted) == found.score(wanted.measured)
+    assert found.deviations(wanted) == found.deviations(wanted.measured)
+    for call in (found.score, found.deviations):
+        with pytest.raises(TypeError, match="targets is float"):
+            call(1.0)

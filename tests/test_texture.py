@@ -310,3 +310,16 @@ def test_shade_wants_its_maps(net):
         cz.texture(net, 8, maps=["height"]).lit()
     with pytest.raises(ValueError, match="light"):
         cz.texture(net, 8).lit(light=(0, 0, -1))
+
+
+@pytest.mark.parametrize("period", [None, (1.0, 1.0)])
+def test_lengths_of_a_material_are_parts_of_what_numpy_measures(period):
+    crack = cz.crack(n=150, period=period, rng=3)
+    plan = cz.texture_plan(crack, 64, material=cz.Material(rim_width=0.5))
+    segments = crack.graph.vertices[crack.graph.edges]
+    step = segments[:, 1] - segments[:, 0]
+    if period is not None:
+        step += crack.shifts * np.asarray(crack.period)
+    length = np.hypot(*step.T).sum()
+    assert plan.relief == pytest.approx(plan.material.relief * 2 / length, rel=1e-12)
+    assert plan._scaled["widest"] == pytest.approx(np.quantile(crack.width, 0.95), rel=1e-14)

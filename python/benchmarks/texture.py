@@ -5,7 +5,8 @@ mask and of six maps together (mask, height, normal, distance, cell, strand) on 
 time of every peer that is installed: tapered polygons, and plain lines of one width, anti-aliased, in one 8-bit channel
 where the library has one. Below 1 means that the texture is faster. Beside these: how much two threads gain, how the
 six maps compare with writing as many bytes, what a picture without cracks takes over that, and the time a pixel at
-several sizes. A library that is not installed is named as such.
+several sizes. What each of the six maps costs alone, over all six together, is printed for the first number of edges
+from 100k on. A library that is not installed is named as such.
 """
 
 from __future__ import annotations
@@ -203,6 +204,23 @@ def emptiness(side: int, repeats: int) -> str:
     return f"{side} px without cracks / writing as many bytes: {', '.join(cells)}"
 
 
+def alone(side: int, edges: int, repeats: int) -> str:
+    """What each map costs on one thread, over all six together, and how much of that is writing as many bytes."""
+    crack = pattern(edges, 2 * max(1, side // 2048) / side)
+    together = seconds(lambda: cz.texture(crack, side, maps=SIX, threads=1), repeats)
+    cells = []
+    for name in SIX:
+        own = seconds(lambda name=name: cz.texture(crack, side, maps=name, threads=1), repeats)
+        bare = seconds(lambda name=name: written(side, (name,)), repeats)
+        cells.append(f"{name} {own / together:.2f} ({bare / together:.2f})")
+    plan = seconds(lambda: cz.texture_plan(crack, side, maps=SIX), repeats)
+    bare = seconds(lambda: written(side), repeats)
+    return (
+        f"{side} px, {edges} edges, alone / six together (writing as many bytes): {', '.join(cells)}; "
+        f"plates and lengths {plan / together:.2f}, writing all {bare / together:.2f}"
+    )
+
+
 def rows(side: int, edges: int, repeats: int) -> list[str]:
     """The lines of the table for one size and number of edges."""
     thickness = max(1, side // 2048)
@@ -237,6 +255,8 @@ def rows(side: int, edges: int, repeats: int) -> list[str]:
             text += f"; mask / lines {more[0]:.2f} {more[1]:.2f}, six / lines {more[2]:.2f} {more[3]:.2f}"
             text += f" ({1000 * strokes:.0f} ms)"
         lines.append(text)
+        if plain is not None:
+            lines[-1] += f", writing the bytes of six / lines {memory / strokes:.2f}"
     return lines
 
 
@@ -293,6 +313,7 @@ def main() -> None:
     for side in given.sides:
         for edges in given.edges:
             show(*rows(side, edges, given.repeats))
+        show(alone(side, next((edges for edges in given.edges if edges >= 100_000), given.edges[0]), given.repeats))
     if given.folder:
         given.folder.mkdir(parents=True, exist_ok=True)
         (given.folder / "texture.txt").write_text("\n".join(table) + "\n", encoding="utf-8")

@@ -100,7 +100,15 @@ def crack_widths(
     net: _Net, partner: _Ints, age: _Ints, widths: _Widths, key: _Key
 ) -> tuple[_Floats, _Ints, _Ints, _Ints]: ...
 def crack_roughen(
-    net: _Net, partner: _Ints, fence: _Fence, amplitude: float, hurst: float, unit: float, grain: float, key: _Key
+    net: _Net,
+    partner: _Ints,
+    fence: _Fence,
+    amplitude: float,
+    hurst: float,
+    unit: float,
+    grain: float,
+    rounding: float,
+    key: _Key,
 ) -> tuple[_Net, _Fence, _Ints, _Ints]: ...
 def crack_parted(net: _Net, partner: _Ints, sharpest: float, reach: float) -> _Mask: ...
 def crack_stubs(
@@ -160,6 +168,9 @@ def render(
     threads: int,
     out: NDArray[np.uint8],
 ) -> None: ...
+def extent(
+    pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints], period: tuple[float, float] | None
+) -> tuple[float, float]: ...
 def plates(
     pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints],
     bounds: _Bounds,
@@ -178,7 +189,7 @@ def png_head(
 ) -> bytes: ...
 def png_rows(file: BinaryIO, pixels: NDArray[np.uint8], depth: int, adler: int) -> int: ...
 def png_tail(adler: int) -> bytes: ...
-def tiff_tiles(tiles: NDArray[np.uint8], sample: int, float: bool) -> list[bytes]: ...
+def tiff_tiles(rows: NDArray[np.uint8], sample: int, float: bool, tile: tuple[int, int]) -> list[bytes]: ...
 def texture(
     pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints],
     sides: tuple[_Ints, _Floats, _Floats],

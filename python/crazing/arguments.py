@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Sized
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -13,31 +14,59 @@ from numpy.typing import ArrayLike, NDArray
 _INDEX_LIMIT = 2**31 - 1
 
 
-def _found(value: Any) -> str:
-    text = repr(value)
+def found(value: Any) -> str:
+    """`value` as a message shows it: in a few words."""
+    text = " ".join(repr(value).split())
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 
-def _real(value: Any, found: str) -> float:
-    """`value` as a float; `found` begins the message of the refusal."""
-    if isinstance(value, (str, bytes, complex)):
-        raise TypeError(f"{found} {_found(value)}; a real number is wanted")
+def _real(value: Any, prefix: str) -> float:
+    """`value` as a float; `prefix` begins the message of the refusal."""
+    # Of a row of one number, NumPy and pandas make a float with a warning, or none.
+    if isinstance(value, (str, bytes, complex)) or getattr(value, "ndim", None):
+        raise TypeError(f"{prefix} {found(value)}; a real number is wanted")
     try:
         return float(value)
     except (TypeError, ValueError):
-        raise TypeError(f"{found} {_found(value)}; a real number is wanted") from None
+        raise TypeError(f"{prefix} {found(value)}; a real number is wanted") from None
     except OverflowError:
-        raise ValueError(f"{found} an integer too large for a float") from None
+        raise ValueError(f"{prefix} an integer too large for a float") from None
 
 
 def points_array(points: ArrayLike, name: str = "points") -> NDArray[np.float64]:
-    """`points` as a C-contiguous (n, 2) float64 array in native byte order; an empty list gives (0, 2)."""
+    """`points` as a C-contiguous (n, 2) float64 array in native byte order; an empty list gives (0, 2).
+
+    Of what has a `__geo_interface__`, all positions without their heights, in their order.
+    """
+    shape = getattr(points, "__geo_interface__", None)
+    if isinstance(shape, Mapping):
+        points = list(positions(shape, name))
     array = real_array(points, name)
     if array.size == 0 and array.ndim <= 2:
         return np.empty((0, 2))
     if array.ndim != 2 or array.shape[1] != 2:
         raise ValueError(f"{name} has shape {array.shape}; (n, 2) is wanted")
     return array
+
+
+def positions(root: Any, name: str) -> Iterator[tuple[float, float]]:
+    """Every position of a GeoJSON object, in its order, without recursion: nesting is the file's choice."""
+    left = [root]
+    while left:
+        node = left.pop()
+        if isinstance(node, Mapping):
+            inner = [node.get(word) for word in ("features", "geometry", "geometries", "coordinates")]
+            left.extend(reversed([part for part in inner if part is not None]))
+        elif isinstance(node, (list, tuple)) and len(node) >= 2 and all(map(_is_number, node)):
+            yield number(node[0], "a coordinate"), number(node[1], "a coordinate")
+        elif isinstance(node, (list, tuple)):
+            left.extend(reversed(node))
+        else:
+            raise ValueError(f"{name} holds {found(node)} where positions are wanted")
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
 
 
 def real_array(values: ArrayLike, name: str) -> NDArray[np.float64]:
@@ -68,7 +97,7 @@ def count(value: Any, name: str, *, low: int = 0, high: int = _INDEX_LIMIT) -> i
     try:
         number = operator.index(value)
     except TypeError:
-        raise TypeError(f"{name} is {_found(value)}; an integer is wanted") from None
+        raise TypeError(f"{name} is {found(value)}; an integer is wanted") from None
     if not low <= number <= high:
         raise ValueError(f"{name} is {number}; it must be from {low} to {high}")
     return number
@@ -80,26 +109,55 @@ def number(value: Any, name: str, *, low: float = -np.inf, high: float = np.inf)
         raise TypeError(f"{name} is {value!r}; a real number is wanted")
     result = _real(value, f"{name} is")
     if not np.isfinite(result) or not low <= result <= high:
-        raise ValueError(f"{name} is {result}; a finite number from {low} to {high} is wanted")
+        raise ValueError(f"{name} is {result}; a finite number{_range(low, high)} is wanted")
     return result
+
+
+def _range(low: float, high: float) -> str:
+    if np.isinf(high):
+        return "" if np.isinf(low) else f" of at least {low:g}"
+    return f" from {low} to {high}"
 
 
 def choice(value: Any, name: str, allowed: Iterable[str]) -> str:
     """`value`, if it is one of the allowed words."""
     words = list(allowed)
-    if value not in words:
-        raise ValueError(f"{name} is {_found(value)}; one of {', '.join(map(repr, words))} is wanted")
+    # An array would be compared entry by entry.
+    if not isinstance(value, str) or value not in words:
+        listed = ", ".join(map(repr, words))
+        raise ValueError(f"{name} is {found(value)}{meant(value, words)}; one of {listed} is wanted")
     return str(value)
+
+
+def meant(value: Any, allowed: Iterable[str]) -> str:
+    """What a misspelt word may have been, as a question in brackets; nothing where no word is near."""
+    import difflib
+
+    words = list(allowed)
+    if not isinstance(value, str) or not value:
+        return ""
+    known = {word.lower(): word for word in words}
+    near = [known[word] for word in difflib.get_close_matches(value.lower(), known, n=2, cutoff=0.7)]
+    # A part of a name, as in a family of names.
+    near += [word for word in words if len(value) > 2 and value.lower() in word.lower() and word not in near]
+    return f" (did you mean {' or '.join(map(repr, near[:3]))}?)" if near else ""
+
+
+def entries(value: Any, name: str, wanted: int, words: str) -> tuple[Any, ...]:
+    """The entries of a short sequence."""
+    if not np.iterable(value):
+        raise TypeError(f"{name} is {found(value)}; {words} is wanted")
+    # No more are looked at: what is given may be without end.
+    parts = tuple(islice(value, wanted + 1))
+    if len(parts) != wanted:
+        number = len(value) if isinstance(value, Sized) else len(parts)
+        raise ValueError(f"{name} has {number} entries; {words} is wanted")
+    return parts
 
 
 def bounds_tuple(value: Any, name: str = "bounds") -> tuple[float, float, float, float]:
     """`value` as (xmin, ymin, xmax, ymax) with a positive, finite width and height."""
-    try:
-        parts = tuple(value)
-    except TypeError:
-        raise TypeError(f"{name} is {_found(value)}; (xmin, ymin, xmax, ymax) is wanted") from None
-    if len(parts) != 4:
-        raise ValueError(f"{name} has {len(parts)} entries; (xmin, ymin, xmax, ymax) is wanted")
+    parts = entries(value, name, 4, "(xmin, ymin, xmax, ymax)")
     xmin, ymin, xmax, ymax = (number(part, f"{name}[{i}]") for i, part in enumerate(parts))
     if not (xmin < xmax and ymin < ymax and np.isfinite(xmax - xmin) and np.isfinite(ymax - ymin)):
         raise ValueError(f"{name} is {(xmin, ymin, xmax, ymax)}; xmin < xmax and ymin < ymax are wanted")
@@ -108,12 +166,7 @@ def bounds_tuple(value: Any, name: str = "bounds") -> tuple[float, float, float,
 
 def period_pair(value: Any, name: str = "period") -> tuple[float, float]:
     """`value` as (width, height), both positive and finite."""
-    try:
-        parts = tuple(value)
-    except TypeError:
-        raise TypeError(f"{name} is {_found(value)}; (width, height) is wanted") from None
-    if len(parts) != 2:
-        raise ValueError(f"{name} has {len(parts)} entries; (width, height) is wanted")
+    parts = entries(value, name, 2, "(width, height)")
     width, height = (number(part, f"{name}[{i}]", low=0) for i, part in enumerate(parts))
     if not (width > 0 and height > 0):
         raise ValueError(f"{name} is {(width, height)}; a positive width and height are wanted")
@@ -122,12 +175,7 @@ def period_pair(value: Any, name: str = "period") -> tuple[float, float]:
 
 def size_pair(value: Any, name: str = "size", *, limit: int = 1 << 16) -> tuple[int, int]:
     """`value` as (height, width) in pixels; one integer means a square."""
-    try:
-        parts = tuple(value)
-    except TypeError:
-        parts = (value, value)
-    if len(parts) != 2:
-        raise ValueError(f"{name} has {len(parts)} entries; (height, width) or one integer is wanted")
+    parts = entries(value, name, 2, "(height, width) or one integer") if np.iterable(value) else (value, value)
     height, width = (count(part, name, low=1, high=limit) for part in parts)
     return height, width
 
@@ -167,22 +215,30 @@ def index_chains(values: Any, name: str, *, limit: int) -> NDArray[np.int32]:
         array.size == 0 or (array.ndim == 2 and array.shape[1] == 2) or array.dtype.kind not in "iuO"
     ):
         return index_pairs(values, name, limit=limit)
-    if not isinstance(values, Iterable) or np.ndim(next(iter(values))) != 1:
-        raise ValueError(f"{name} is {_found(values)}; pairs of indices, or chains of them, are wanted")
+    if not isinstance(values, (Sequence, np.ndarray)) or _dimensions(values[0]) != 1:
+        raise ValueError(f"{name} is {found(values)}; pairs of indices, or chains of them, are wanted")
     chains = []
     for number, chain in enumerate(values):
+        if _dimensions(chain) != 1:
+            raise ValueError(f"{name}[{number}] is {found(chain)}; a chain of indices is wanted")
         row = np.asarray(chain)
-        if row.ndim != 1:
-            raise ValueError(f"{name}[{number}] has shape {row.shape}; a chain of indices is wanted")
         chains.append(index_pairs(np.column_stack([row[:-1], row[1:]]), f"{name}[{number}]", limit=limit))
     return np.concatenate(chains)
 
 
+def _dimensions(value: Any) -> int:
+    """Of an array-like; -1 where it is ragged."""
+    try:
+        return np.ndim(value)
+    except ValueError:
+        return -1
+
+
 def cell_row(values: ArrayLike, name: str, cells: int) -> NDArray[np.int32]:
     """`values` as a (k,) int32 array of cells below `cells`."""
-    array = np.asarray(values)
-    if array.ndim != 1 or (array.size and array.dtype.kind not in "iu"):
-        raise TypeError(f"{name} is {_found(values)}; a row of cells is wanted")
+    array = np.asarray(values) if _dimensions(values) == 1 else None
+    if array is None or (array.size and array.dtype.kind not in "iu"):
+        raise TypeError(f"{name} is {found(values)}; a row of cells is wanted")
     if array.size and not (array.min() >= 0 and array.max() < cells):
         raise ValueError(f"{name} goes by cell {array.min()} or {array.max()}; 0 to {cells - 1} are wanted")
     return np.ascontiguousarray(array, dtype=np.int32)

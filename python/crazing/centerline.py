@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from crazing import _core
-from crazing.arguments import number, points_array
-from crazing.diagram import Diagram, diagram
+from crazing.arguments import number
+from crazing.conforming import QUICK, ROUNDS, conforming, is_touched, side_lengths, within
+from crazing.diagram import Diagram
 from crazing.errors import CrazingError, DegenerateInputError
 from crazing.graph import PlanarGraph
+from crazing.polygons import Ring, polygons
 
 #: Least part of its ring that an edge of the centreline spans.
 RESIDUAL = 0.025
@@ -21,10 +21,8 @@ RESIDUAL = 0.025
 FEWEST, MOST = 400, 250_000
 #: Parts of the mean width that default points are apart.
 PARTS = 4
-#: Rounds of halving boundary edges that the triangulation lacks; each halves the gap that can be told apart.
-ROUNDS = 24
-
-Ring = NDArray[np.float64]
+#: Coordinates below two to this power, and above its inverse, are taken as they are.
+PLAIN = 256
 
 
 def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
@@ -32,10 +30,11 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
 
     Parameters
     ----------
-    polygon : shapely geometry, mapping, (shell, holes) or (n, 2) array_like
-        A polygon or several: anything with a ``__geo_interface__`` or a GeoJSON mapping of type Polygon,
-        MultiPolygon or Feature; or a shell, an (n, 2) array_like, and a list of such holes; or a shell alone. Rings
-        may repeat their first point and run either way.
+    polygon : shapely geometry, mapping, (shell, holes), rings or (n, 2) array_like
+        A polygon or several: anything with a ``__geo_interface__`` (of shapely, of GeoPandas) or a GeoJSON mapping of
+        type Polygon, MultiPolygon, Feature or a collection of them, or a list of such; a shell, an (n, 2) array_like,
+        and a list of such holes; a shell alone; or a list of rings, of which those in an odd number of others are
+        holes. Rings may repeat their first point, run either way and touch in points; heights are left out.
     spacing : float, optional
         Largest distance between two points of the boundary, in data units; the corners are always among them. By
         default a quarter of the mean width (twice the area over the perimeter), but from 400 to 250,000 points.
@@ -50,15 +49,16 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
     DegenerateInputError
         If a ring has no area.
     CrazingError
-        If a coordinate is NaN or infinite, or the boundary crosses or touches itself.
+        If a coordinate is NaN or infinite, or the boundary crosses or overlaps itself (``shapely.make_valid`` mends
+        such polygons).
     TypeError, ValueError
         If `polygon` is nothing of the above, or `spacing` is not positive or asks for too many points.
 
     Notes
     -----
     The duals of the Delaunay edges inside, with the boundary itself as the crust: boundary edges that the
-    triangulation lacks are halved until it has them. Source: Gold, Snoeyink 2001 (the axis); Ogniewicz, Kübler 1995
-    (its arc residual).
+    triangulation lacks are halved until it has them. Parts that share a whole side are one polygon. Source:
+    Gold, Snoeyink 2001 (the axis); Ogniewicz, Kübler 1995 (its arc residual).
 
     Examples
     --------
@@ -67,46 +67,60 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
     >>> line.components, line.leaves
     (1, 4)
     """
-    rings = [_opened(ring) for ring in _rings(polygon)]
-    if not rings:
+    parts = [[_opened(ring) for ring in part] for part in polygons(polygon, "polygon")]
+    if not parts:
         raise DegenerateInputError("polygon is empty; a ring of at least 3 points is wanted")
-    apart = _default_spacing(rings) if spacing is None else number(spacing, "spacing", low=0.0)
-    total = sum(_lengths(ring).sum() for ring in rings)
-    if not total <= apart * 40 * MOST:
-        raise ValueError(f"spacing is {apart}; at least {total / (40 * MOST)} is wanted for a boundary of {total}")
-    found, boundary = _conforming([_densified(ring, apart) for ring in rings])
-    if (PlanarGraph(found.sites, found.edges[boundary]).degrees != 2).any():
-        raise CrazingError("the boundary of the polygon touches or crosses itself; a valid polygon is wanted")
-    inside, _, residual = _core.sides(found.arrays, boundary)
+    rings, exponent = _scaled([ring for part in parts for ring in part])
+    area = 2 * abs(_area(rings[0])) - sum(abs(_area(ring)) for ring in rings)
+    if len(parts) > 1 or area <= 0:
+        # Neighbours that share a side become one polygon, and of several only plain rings tell what is a hole.
+        rings = _plain(rings)
+        area = sum(map(_area, rings))
+    if not area:
+        raise DegenerateInputError("the polygon has no area")
+    length = float(sum(side_lengths(ring).sum() for ring in rings))
+    apart = _default_spacing(length, area) if spacing is None else _checked(spacing, length, exponent)
+    found, edges = _axis(rings, apart)
+    return PlanarGraph(np.ldexp(found.vertices, exponent), edges).compact()
+
+
+def _axis(rings: list[Ring], apart: float) -> tuple[Diagram, NDArray[np.int32]]:
+    """The diagram of points along the rings, and the pairs of its vertices that are the axis."""
+    made = conforming([_densified(ring, apart) for ring in rings], QUICK)
+    if made is not None and not is_touched(*made[:2]):
+        found, boundary, _ = made
+        inside, _, residual = _core.sides(found.arrays, boundary)
+    else:
+        # Rare, and half as dear as all the rest: sides that cross are named, rings that touch come apart.
+        made = conforming([_densified(ring, apart) for ring in _plain(rings)], ROUNDS)
+        if made is None:
+            raise CrazingError(
+                "the boundary of the polygon comes too near to itself; touches in single points are fine"
+            )
+        found, boundary, rings = made
+        inside, residual = within(found, boundary, rings)
     # A neck before a hole spans little of its ring, and is no hair.
-    edges = _core.axis_edges(found.arrays, _core.peeled(found.arrays, inside, residual, RESIDUAL))
-    return PlanarGraph(found.vertices, edges).compact()
+    return found, _core.axis_edges(found.arrays, _core.peeled(found.arrays, inside, residual, RESIDUAL))
 
 
-def _rings(polygon: Any) -> Iterator[Ring]:
-    """Every ring, shells and holes alike: what is inside follows from the number of rings around it."""
-    shape = getattr(polygon, "__geo_interface__", polygon)
-    if isinstance(shape, Mapping):
-        yield from _rings_of_mapping(shape)
-    elif isinstance(shape, Sequence) and len(shape) == 2 and not isinstance(shape, str):
-        yield points_array(shape[0], "shell")
-        for i, hole in enumerate(shape[1]):
-            yield points_array(hole, f"holes[{i}]")
-    else:
-        yield points_array(shape, "polygon")
+def _plain(rings: list[Ring]) -> list[Ring]:
+    """The rings without doubled sides, cut where they touch, the inside on the left of every side."""
+    try:
+        coords, offsets = _core.region_rings((np.concatenate(rings), np.cumsum([0, *map(len, rings)])))
+    except CrazingError as error:
+        raise CrazingError(f"the boundary of the polygon is not plain: {error}") from None
+    if not len(coords):
+        raise DegenerateInputError("the polygon has no area")
+    return np.split(coords, offsets[1:-1])
 
 
-def _rings_of_mapping(shape: Mapping[str, Any]) -> Iterator[Ring]:
-    kind = shape.get("type")
-    if kind == "Feature":
-        yield from _rings(shape["geometry"])
-    elif kind in ("Polygon", "MultiPolygon"):
-        coordinates = shape["coordinates"]
-        for rings in [coordinates] if kind == "Polygon" else coordinates:
-            # A third coordinate is a height.
-            yield from (points_array([point[:2] for point in ring], "coordinates") for ring in rings)
-    else:
-        raise TypeError(f"polygon is a geometry of type {kind!r}; Polygon or MultiPolygon is wanted")
+def _scaled(rings: list[Ring]) -> tuple[list[Ring], int]:
+    """The rings over a power of two, where products of coordinates neither overflow nor vanish; and its exponent."""
+    largest = max(float(np.abs(ring).max()) for ring in rings)
+    exponent = int(np.frexp(largest)[1])
+    if abs(exponent) < PLAIN:
+        return rings, 0
+    return [np.ldexp(ring, -exponent) for ring in rings], exponent
 
 
 def _opened(ring: Ring) -> Ring:
@@ -116,22 +130,28 @@ def _opened(ring: Ring) -> Ring:
     ring = ring[(ring != np.roll(ring, 1, axis=0)).any(axis=1)]
     if len(ring) < 3:
         raise DegenerateInputError(f"a ring of the polygon has {len(ring)} distinct points; at least 3 are wanted")
-    if _area(ring) == 0:
+    (scaled,), _ = _scaled([ring])
+    away = scaled - scaled[0]
+    along = away[np.abs(away).max(axis=1).argmax()]
+    if not (away[:, 0] * along[1] != away[:, 1] * along[0]).any():
         raise DegenerateInputError("a ring of the polygon has no area")
     return ring
 
 
-def _lengths(ring: Ring) -> NDArray[np.float64]:
-    return np.asarray(np.hypot(*(np.roll(ring, -1, axis=0) - ring).T))
+def _checked(spacing: float, length: float, exponent: int) -> float:
+    """The spacing at the scale of the rings, if it asks for a bearable number of points."""
+    asked = number(spacing, "spacing", low=0.0)
+    apart = float(np.ldexp(asked, -exponent))
+    least = length / (40 * MOST)
+    if not apart >= least:
+        least, length = (float(np.ldexp(value, exponent)) for value in (least, length))
+        raise ValueError(f"spacing is {asked}; at least {least} is wanted for a boundary of {length}")
+    return apart
 
 
-def _default_spacing(rings: list[Ring]) -> float:
+def _default_spacing(length: float, area: float) -> float:
     """Fine enough for the mean width, in a bearable number of points."""
-    length = float(sum(_lengths(ring).sum() for ring in rings))
-    areas = [abs(float(_area(ring))) for ring in rings]
-    area = 2 * max(areas) - sum(areas)
-    width = 2 * max(area, 0.0) / length
-    return min(max(width / PARTS, length / MOST), length / FEWEST)
+    return min(max(2 * area / length / PARTS, length / MOST), length / FEWEST)
 
 
 def _area(ring: Ring) -> float:
@@ -141,39 +161,8 @@ def _area(ring: Ring) -> float:
 
 def _densified(ring: Ring, apart: float) -> Ring:
     """The ring with every side cut into equal parts no longer than `apart`."""
-    parts = np.maximum(np.ceil(_lengths(ring) / apart), 1).astype(np.int64)
+    step = np.roll(ring, -1, axis=0) - ring
+    parts = np.maximum(np.ceil(side_lengths(ring) / apart), 1).astype(np.int64)
     side = np.repeat(np.arange(len(ring)), parts)
     share = (np.arange(len(side)) - np.repeat(np.cumsum(parts) - parts, parts)) / parts[side]
-    return np.asarray(ring[side] + share[:, None] * (np.roll(ring, -1, axis=0) - ring)[side])
-
-
-def _conforming(rings: list[Ring]) -> tuple[Diagram, NDArray[np.bool_]]:
-    """A diagram that has every side of the rings, halved as often as it takes, and which of its edges these are."""
-    for _ in range(ROUNDS):
-        found = diagram(np.concatenate(rings))
-        starts = np.cumsum([0, *map(len, rings)])
-        ends = np.concatenate([np.roll(np.arange(a, b), -1) for a, b in pairwise(starts)])
-        sides = _keys(np.column_stack([found.site_of, found.site_of[ends]]))
-        edges = _keys(found.edges)
-        sorted_sides = np.sort(sides)
-        # Several times faster than asking NumPy twice what is in what.
-        boundary = sorted_sides[np.searchsorted(sorted_sides[:-1], edges)] == edges
-        if np.count_nonzero(boundary) == len(sides):
-            return found, boundary
-        missing = ~np.isin(sides, edges)
-        if not missing.any():
-            return found, boundary
-        pieces = np.split(missing, starts[1:-1])
-        rings = [_halved(ring, part) for ring, part in zip(rings, pieces, strict=True)]
-    raise CrazingError("the boundary of the polygon crosses itself or comes too near to itself; a valid one is wanted")
-
-
-def _halved(ring: Ring, sides: NDArray[np.bool_]) -> Ring:
-    middle = ring + 0.5 * (np.roll(ring, -1, axis=0) - ring)
-    return np.insert(ring, np.flatnonzero(sides) + 1, middle[sides], axis=0)
-
-
-def _keys(ends: NDArray[np.int32]) -> NDArray[np.int64]:
-    """One number an edge, the same in both directions."""
-    sorted_ends = np.sort(ends, axis=1).astype(np.int64)
-    return np.asarray(sorted_ends[:, 0] << 32 | sorted_ends[:, 1])
+    return np.asarray(ring[side] + share[:, None] * step[side])

@@ -218,7 +218,8 @@ class Comparison(Record):
     def _farthest(self, axis: PlanarGraph, other: PlanarGraph) -> float:
         """The largest distance from a point of `axis` to the other."""
         sites = self.first.diagram.sites
-        fine = float(np.hypot(*(sites.max(axis=0) - sites.min(axis=0)))) / STEPS
+        with np.errstate(over="ignore"):
+            fine = float(np.hypot(*(sites.max(axis=0) - sites.min(axis=0)))) / STEPS
         return float(other.distances(_points_along(axis, fine)).max(initial=0.0))
 
     def _select(self, axis: PlanarGraph, kept: NDArray[np.bool_]) -> PlanarGraph:
@@ -282,10 +283,14 @@ def compare(
 
 def _drawing(axis: PlanarGraph | ArrayLike) -> PlanarGraph:
     if isinstance(axis, PlanarGraph):
+        if not np.isfinite(axis.segments).all():
+            raise ValueError("axis has a vertex that is not finite")
         return axis
     segments = real_array(axis, "axis")
     if segments.ndim != 3 or segments.shape[1:] != (2, 2):
         raise ValueError(f"axis has shape {segments.shape}; (e, 2, 2) is wanted")
+    if not np.isfinite(segments).all():
+        raise ValueError("axis has an end that is not finite")
     return PlanarGraph(segments.reshape(-1, 2), np.arange(2 * len(segments), dtype=np.int32).reshape(-1, 2))
 
 

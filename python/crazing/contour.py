@@ -14,10 +14,7 @@ from crazing.errors import CrazingError
 from crazing.extras import require
 from crazing.images import brightness
 from crazing.record import Record
-from crazing.spread import FEWEST, counts_at, shares, travelled, walk
-
-# A thousandth of a pixel apart is far finer than any pixel can tell; it bounds how many points are asked for.
-_FINEST_SPACING = 1e-3
+from crazing.spread import FEWEST, MOST, counts_at, shares, travelled, walk
 
 # Far above the rounding of coordinates up to 2**16 pixels, 1e-11, and far below what pixels can tell.
 _ROUNDING = 1e-9
@@ -72,7 +69,7 @@ class Contours(Record):
         n : int, optional
             Number of points in all, 3 or more.
         spacing : float, optional
-            Pixels from a point to the next, 0.001 or more.
+            From a point to the next, in the frame of `coords`; such that there are 100 million points or fewer.
 
         Returns
         -------
@@ -89,8 +86,8 @@ class Contours(Record):
         if (n is None) == (spacing is None):
             raise ValueError("exactly one of n and spacing is wanted")
         if spacing is None:
-            return walk(self, shares(self.length, arguments.count(n, "n", low=FEWEST)))
-        step = arguments.number(spacing, "spacing", low=_FINEST_SPACING)
+            return walk(self, shares(self.length, arguments.count(n, "n", low=FEWEST, high=MOST)))
+        step = arguments.number(spacing, "spacing", low=0.0)
         return walk(self, counts_at(self, step))
 
 

@@ -48,7 +48,8 @@ class LabelledImage:
     labels : mapping of str to (H, W) array
         ``mask``: uint8, 255 where half of a pixel or more is crack, else 0; ``coverage``: uint8, the part of the
         pixel that is crack; ``strand``: int32, which crack, -1 half a pixel off cracks and farther; ``cell``: int32,
-        which plate; ``distance``: float32, pixels to the nearest crack edge, negative inside.
+        which plate; ``distance``: float32, pixels to the nearest crack edge, negative inside. In the order that was
+        asked for; they and the image may be written to.
     crack : Crack
         The geometry itself.
     preset : str
@@ -108,7 +109,10 @@ class Dataset(Sequence[LabelledImage]):
     def __getitem__(self, index: SupportsIndex | slice) -> Any:
         if isinstance(index, slice):
             return [self._made(i) for i in range(*index.indices(self.n))]
-        i = operator.index(index)
+        try:
+            i = operator.index(index)
+        except TypeError:
+            raise TypeError(f"index is {index!r}; an integer or a slice is wanted") from None
         if not -self.n <= i < self.n:
             raise IndexError(f"index is {i}; the data set has {self.n} pictures")
         return self._made(i % self.n)
@@ -150,7 +154,8 @@ class Dataset(Sequence[LabelledImage]):
         >>> cz.dataset(20, rng=1).drawn(9) == data.drawn(9)
         True
         """
-        kind, scale, turn, rise, bright, part = sample.uniform(3, rng=self._seed(index, 0)).ravel().tolist()
+        row = arguments.count(index, "index")
+        kind, scale, turn, rise, bright, part = sample.uniform(3, rng=self._seed(row, 0)).ravel().tolist()
         name = self.presets[int(kind * len(self.presets))]
         angle = 2.0 * math.pi * turn
         return {
@@ -219,11 +224,10 @@ class Dataset(Sequence[LabelledImage]):
         maps = ("color", "normal", "height", "ao", "roughness", *sorted({LABELS[name] for name in self.labels}))
         shown = texture(crack, self.size, maps=maps, material=_material(drawn["preset"]), bounds=bounds, threads=1)
         image = shown.lit(light=drawn["light"], exposure=drawn["exposure"])
-        labels = {name: shown[LABELS[name]] for name in self.labels if name != "mask"}
-        if "mask" in self.labels:
-            labels["mask"] = self._mask(crack)
+        # Arrays of its own: PyTorch takes them as they are, and warns of those that cannot be written to.
+        labels = {name: self._mask(crack) if name == "mask" else shown[LABELS[name]].copy() for name in self.labels}
         if "distance" in labels:
-            labels["distance"] = labels["distance"] * np.float32(height)
+            labels["distance"] *= np.float32(height)
         return LabelledImage(index=index, image=image, labels=labels, crack=crack, **drawn)
 
     def _mask(self, crack: Crack) -> NDArray[np.uint8]:
@@ -304,6 +308,8 @@ def dataset(
 
 
 def _several(value: str | Sequence[str], name: str) -> tuple[str, ...]:
+    if not np.iterable(value):
+        raise TypeError(f"{name} is {arguments.found(value)}; one name or more are wanted")
     words = (value,) if isinstance(value, str) else tuple(value)
     if not words or len(set(words)) < len(words):
         raise ValueError(f"{name} is {words!r}; one name or more, none of them twice, are wanted")

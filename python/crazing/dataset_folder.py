@@ -70,17 +70,44 @@ def write(
     return len(missing)
 
 
+def key_of(folder: str | os.PathLike[str]) -> tuple[int, int] | None:
+    """The key of the data set that a folder holds, which its seed was turned into; None if it holds none."""
+    path = Path(folder) / _ABOUT
+    if not path.exists():
+        return None
+    try:
+        first, second = _found(path)["key"]
+        return int(first), int(second)
+    except (KeyError, TypeError, ValueError):
+        raise _damaged(path) from None
+
+
+def _found(path: Path) -> dict[str, Any]:
+    """The parameters that a folder was made with."""
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))["parameters"]
+    except (ValueError, KeyError, TypeError):
+        raise _damaged(path) from None
+    if not isinstance(found, dict):
+        raise _damaged(path)
+    return found
+
+
+def _damaged(path: Path) -> CrazingError:
+    return CrazingError(f"{path} is damaged; another folder is wanted")
+
+
 def _claim(root: Path, dataset: Dataset) -> None:
     """Makes the folder this data set's, unless it holds another."""
     about, path = {**dataset.parameters, "algorithm_version": algorithm_version}, root / _ABOUT
     if path.exists():
-        try:
-            found = json.loads(path.read_text(encoding="utf-8"))["parameters"]
-        except (ValueError, KeyError, TypeError):
-            raise CrazingError(f"{path} is damaged; another folder is wanted") from None
+        found = _found(path)
         unlike = [name for name in about if found.get(name) != about[name]]
         if unlike:
-            told = "; ".join(f"its {name} is {found.get(name)}, not {about[name]}" for name in unlike)
+            # A key means nothing to who gave a seed.
+            words = {name: f"its {name} is {found.get(name)}, not {about[name]}" for name in about}
+            words["key"] = "it was made with another seed"
+            told = "; ".join(words[name] for name in unlike)
             raise CrazingError(f"{root} holds another data set: {told}; another folder is wanted")
     root.mkdir(exist_ok=True)
     record = {"crazing": _core.__version__, "parameters": {"n": dataset.n, **about}}

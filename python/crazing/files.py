@@ -45,7 +45,11 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     b'whole'
     """
     target = Path(os.path.realpath(path))
-    number, name = tempfile.mkstemp(prefix=".tmp-", dir=target.parent)
+    try:
+        number, name = tempfile.mkstemp(prefix=".tmp-", dir=target.parent)
+    except OSError as error:
+        # Of the file that was asked for, not of the one beside it.
+        raise OSError(error.errno, error.strerror, str(path)) from None
     try:
         with open(number, "wb") as file:
             os.chmod(name, _mode(target))

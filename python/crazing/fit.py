@@ -143,7 +143,7 @@ def fit(
     guess = _guess(wanted, side)
     if budget == 0:
         return guess
-    seed = np.random.default_rng(rng)
+    seed = _rng.generator(rng)
     trial = _Trial(guess, _axes(wanted), wanted, side, tuple(_words(seed, PATTERNS)))
     start = np.array([0.5 if axis is _ROOT else axis.part(float(getattr(guess, axis.name))) for axis in trial.axes])
     start[0] = _ROOT.part(1.0)

@@ -82,8 +82,10 @@ class PlanarGraph(Record):
         >>> PlanarGraph([[0, 0], [3, 4], [3, 0]], [[0, 1], [1, 2]]).lengths
         array([5., 4.])
         """
-        step = self.vertices[self.edges[:, 1]] - self.vertices[self.edges[:, 0]]
-        return np.asarray(np.hypot(step[:, 0], step[:, 1]))
+        # What is longer than the largest float is infinite.
+        with np.errstate(over="ignore", invalid="ignore"):
+            step = self.vertices[self.edges[:, 1]] - self.vertices[self.edges[:, 0]]
+            return np.asarray(np.hypot(step[:, 0], step[:, 1]))
 
     @property
     def length(self) -> float:

@@ -162,11 +162,16 @@ def brightness(image: ArrayLike, name: str = "image") -> NDArray[np.float64]:
     >>> brightness(np.array([[0, 51, 255]], dtype=np.uint8))
     array([[0. , 0.2, 1. ]])
     """
-    array = np.asarray(image)
+    try:
+        array = np.asarray(image)
+    except ValueError as error:
+        raise ValueError(f"{name} is ragged: {error}") from None
     if array.dtype.kind not in "biuf":
         raise TypeError(f"{name} has dtype {array.dtype}; bool, integers or floats are wanted")
     if array.ndim != 2 and not (array.ndim == 3 and array.shape[2] in (3, 4)):
         raise ValueError(f"{name} has shape {array.shape}; (H, W), (H, W, 3) or (H, W, 4) is wanted")
+    if not array.size:
+        raise ValueError(f"{name} has {array.shape[0]} x {array.shape[1]} pixels; one or more is wanted")
     if array.dtype.kind == "f":
         _check_finite(array, name)
     if array.ndim == 2:

@@ -66,6 +66,8 @@ class Material:
         Inside the cracks.
     dirt, dirt_amount, dirt_width : colour, float, float
         What has settled beside the cracks, how much, and over which width, in plates.
+    debris : float
+        How much of it lies inside the cracks, here and there.
     worn, wear, wear_width : colour, float, float
         What worn edges of plates look like, how worn they are, and over which width, in plates.
     roughness, roughness_spread, crack_roughness : float
@@ -101,6 +103,7 @@ class Material:
     dirt: Color = "#6f6455"
     dirt_amount: float = 0.4
     dirt_width: float = 0.12
+    debris: float = 0.0
     worn: Color = "#f4f0e6"
     wear: float = 0.2
     wear_width: float = 0.04
@@ -146,9 +149,11 @@ class Material:
         ValueError
             For a name that is no field, or a value out of its range.
         """
-        unknown = sorted(table.keys() - {field.name for field in fields(cls)})
+        known = [field.name for field in fields(cls)]
+        unknown = sorted(table.keys() - set(known))
         if unknown:
-            raise ValueError(f"the material has no {', '.join(unknown)}")
+            asked = arguments.meant(unknown[0], known)
+            raise ValueError(f"the material has no {unknown[0]!r}{asked}; it may have {', '.join(known)}")
         return cls(**table)
 
 

@@ -13,6 +13,7 @@ from crazing import _core
 from crazing import rng as _rng
 from crazing.arguments import bounds_tuple, choice, count, number, points_array
 from crazing.diagram import Diagram, as_tiling, bounds_of, unconstrained
+from crazing.errors import CrazingError
 from crazing.graph import PlanarGraph
 from crazing.maze_drawing import Drawing
 from crazing.maze_statistics import MazeStatistics, statistics
@@ -310,6 +311,7 @@ def maze(
         unconstrained(diagram)
         sides = len(diagram.sites), diagram.edges
         doors = _core.voronoi_doors(diagram.arrays) if diagram.period is None else _torus_doors(diagram)
+    _check_start(start, sides[0])
     carved = _core.carve(sides, doors, tree, start, False, opening, _rng.key(rng))
     return Maze(diagram, cells, *carved, box)
 
@@ -334,9 +336,15 @@ def _within(
         plan = voronoi_plan(diagram, region)
     count = len(diagram.triangles) if cells == "delaunay" else len(diagram.sites) + len(plan.parts)
     doors = np.ones(len(plan.sides), dtype=bool)
+    _check_start(start, count)
     open_doors, passages, first = _core.carve((count, plan.sides), doors, tree, start, True, opening, key)
     plan = plan.carved(open_doors)
     return Maze(diagram, cells, plan.edges_open(len(diagram.edges)), passages, first, box, region, plan)
+
+
+def _check_start(start: int | None, cells: int) -> None:
+    if start is not None and start >= cells:
+        raise CrazingError(f"start is {start}; the cell of one of {cells}, counted from 0, is wanted")
 
 
 def _torus_doors(diagram: Diagram) -> NDArray[np.bool_]:

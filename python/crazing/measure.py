@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -180,7 +182,8 @@ def as_mask(picture: ArrayLike, *, level: float = 0.5, dark: bool = False) -> ND
     Parameters
     ----------
     picture : (H, W) or (H, W, 3 or 4) array_like
-        Bool, integers or floats.
+        Bool, integers or floats. Integers none of which is above 1 are a mask already: 1 is crack, whatever `level`
+        is.
     level : float, optional
         Brightness, 0 to 1, above which there is crack.
     dark : bool, optional
@@ -202,7 +205,14 @@ def as_mask(picture: ArrayLike, *, level: float = 0.5, dark: bool = False) -> ND
     >>> as_mask([[0.2, 0.8]], dark=True)
     array([[ True, False]])
     """
-    bright = brightness(picture, "mask") > number(level, "level")
+    level = number(level, "level")
+    if isinstance(picture, (str, os.PathLike)):
+        raise TypeError(f"mask is {os.fspath(picture)!r}; pixels are wanted: crazing.images.read_image reads a file")
+    array = np.asarray(picture)
+    if array.ndim == 2 and array.size and array.dtype.kind in "iu" and array.min() >= 0 and array.max() <= 1:
+        array = array.astype(bool)
+        level = 0.5
+    bright = brightness(array, "mask") > level
     if not bright.size:
         raise ValueError(f"mask has shape {bright.shape}; one pixel or more is wanted")
     return np.ascontiguousarray(bright != bool(dark))

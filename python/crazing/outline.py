@@ -48,7 +48,7 @@ def rings(lines: list[NDArray[np.float64]], closed: list[bool] | None = None) ->
 
 def geojson(path: str | os.PathLike[str]) -> Any:
     """What a GeoJSON file holds; of a collection with one feature, that."""
-    text = Path(path).read_text(encoding="utf-8")
+    text = Path(path).read_text(encoding="utf-8-sig")
     try:
         found = json.loads(text)
     except ValueError as error:

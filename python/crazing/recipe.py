@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from crazing import files, steps
 from crazing import rng as _rng
-from crazing.arguments import bounds_tuple, choice, count, number, period_pair
+from crazing.arguments import bounds_tuple, choice, count, meant, number, period_pair
 from crazing.crack import Crack
 from crazing.diagram import Diagram
 from crazing.maze import TREES
@@ -51,6 +51,7 @@ _RANGES: dict[str, tuple[float, float]] = {
     "roughness": (0, 4),
     "hurst": (0, 2),
     "grain": (0.001, 1000),
+    "rounding": (0, 1),
     "thickness": (0, 8),
     "hierarchy": (0, 8),
     "shrink": (0, 2),
@@ -127,7 +128,9 @@ class Recipe:
     hurst : float
         Deviation grows with this power of length: .5 is a random walk, .7 is what real cracks show.
     grain : float
-        Pieces of rough cracks are no longer than this many spacings.
+        Pieces of rough and rounded cracks are no longer than this many spacings.
+    rounding : float
+        How far cracks turn in curves instead of corners: 0 not at all, 1 all the way, where there is room.
     thickness : float
         Width of the longest crack, in spacings.
     hierarchy : float
@@ -187,6 +190,7 @@ class Recipe:
     roughness: float = 0.0
     hurst: float = 0.7
     grain: float = 0.15
+    rounding: float = 0.0
     thickness: float = 0.125
     hierarchy: float = 0.5
     shrink: float = 1.0
@@ -270,7 +274,7 @@ class Recipe:
         CrazingError
             If a coordinate is NaN or infinite.
         """
-        seed = np.random.default_rng(rng)
+        seed = _rng.generator(rng)
         torus = None if period is None else period_pair(period)
         if torus is not None and bounds is not None:
             raise ValueError("bounds and period are both given; a periodic picture is one period")
@@ -293,10 +297,9 @@ class Recipe:
             drawing = steps.stubs(
                 drawing, rate=self.stubs, length=self.stub_length, spread=self.stub_spread, unit=unit, rng=seed
             )
-        if self.roughness and unit:
-            drawing = steps.roughen(
-                drawing, roughness=self.roughness, unit=unit, hurst=self.hurst, grain=self.grain, rng=seeds[1]
-            )
+        if (self.roughness or self.rounding) and unit:
+            how = {name: getattr(self, name) for name in ("roughness", "hurst", "grain", "rounding")}
+            drawing = steps.roughen(drawing, unit=unit, rng=seeds[1], **how)
         where, side = site.centre(drawing.bounds)
         return steps.widen(
             drawing,
@@ -340,10 +343,11 @@ class Recipe:
             raise ValueError(f"{name} is no TOML file: {error}") from None
         table = tables.get("recipe")
         if not isinstance(table, dict):
-            raise ValueError(f"{name} has no table [recipe]")
-        unknown = [key for key in table if key not in _NAMES or key in _TEXTS]
+            raise ValueError(f"{name} has no table [recipe]; it has {', '.join(tables) or 'nothing'}")
+        unknown = [key for key in table if key not in _STEPS]
         if unknown:
-            raise ValueError(f"{name}: [recipe] has no key {unknown[0]!r}; it may have {', '.join(_STEPS)}")
+            asked = meant(unknown[0], _STEPS)
+            raise ValueError(f"{name}: [recipe] has no key {unknown[0]!r}{asked}; it may have {', '.join(_STEPS)}")
         given = {**table, **{key: tables[key] for key in _TEXTS if key in tables}}
         for key, value in given.items():
             try:
@@ -533,6 +537,8 @@ def crack(
     recipe = (Recipe() if preset is None else _named(preset)).replace(
         **{name: value for name, value in changes.items() if value is not None}
     )
+    if isinstance(points, str):
+        raise TypeError(f"points is {points!r}; coordinates are wanted; a kind of crack is named by preset={points!r}")
     if points is not None and n is not None:
         raise ValueError("points and n are both given; n is for uniform points without points")
     return recipe.crack(points, width=width, source=source, density=density, bounds=bounds, period=period, rng=rng)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -16,6 +16,7 @@ from crazing.contour import contours
 from crazing.errors import CrazingError
 from crazing.graph import PlanarGraph
 from crazing.images import brightness
+from crazing.polygons import polygons
 from crazing.record import Record
 
 #: Pixels: how far the outline of a picture may be moved to smooth the steps of its contour.
@@ -150,8 +151,8 @@ class Region(Record):
 def as_region(shape: Any, name: str = "within") -> Region:
     """The region that `shape` describes.
 
-    A (k, 2) array is a ring, a list of them rings; an object with `__geo_interface__` or a GeoJSON mapping is a Polygon
-    or MultiPolygon; any other array a picture: True is inside a mask of bools, in others what differs from its border.
+    What :func:`crazing.polygons.polygons` reads; any other array is a picture: True is inside a mask of bools, in
+    others what differs from its border.
 
     Examples
     --------
@@ -161,25 +162,10 @@ def as_region(shape: Any, name: str = "within") -> Region:
     """
     if isinstance(shape, Region):
         return shape
-    shape = getattr(shape, "__geo_interface__", shape)
-    if isinstance(shape, Mapping):
-        return _joined(_geojson_rings(shape, name), name)
-    if isinstance(shape, np.ndarray) and (shape.dtype.kind == "b" or shape.ndim == 3 or shape.shape[1:] != (2,)):
+    is_array = isinstance(shape, np.ndarray) and shape.dtype.kind != "O"
+    if is_array and (shape.dtype.kind == "b" or shape.ndim == 3 or shape.shape[1:] != (2,)):
         return _traced(shape, name)
-    # A list of rings has rows of rows of numbers.
-    if np.ndim(shape[0] if len(shape) else 0) == 2:
-        return _joined(list(shape), name)
-    return _joined([shape], name)
-
-
-def _geojson_rings(shape: Mapping[str, Any], name: str) -> list[Any]:
-    if shape.get("type") == "Feature":
-        return _geojson_rings(shape["geometry"], name)
-    if shape.get("type") == "Polygon":
-        return list(shape["coordinates"])
-    if shape.get("type") == "MultiPolygon":
-        return [ring for polygon in shape["coordinates"] for ring in polygon]
-    raise ValueError(f"{name} is a geometry of type {shape.get('type')!r}; Polygon or MultiPolygon is wanted")
+    return _joined([ring for polygon in polygons(shape, name) for ring in polygon], name)
 
 
 def _joined(rings: list[Any], name: str) -> Region:
@@ -190,6 +176,10 @@ def _joined(rings: list[Any], name: str) -> Region:
         points = points[:-1] if closed else points
         if len(points) < 3:
             raise ValueError(f"{name}[{row}] has {len(points)} corners; at least 3 are wanted")
+        if not np.isfinite(points).all():
+            corner = int(np.argmin(np.isfinite(points).all(axis=1)))
+            place = tuple(points[corner].tolist())
+            raise CrazingError(f"{name}[{row}][{corner}] is {place}; finite numbers are wanted")
         kept.append(points)
     if not kept:
         raise ValueError(f"{name} has no ring; one or more are wanted")
@@ -202,6 +192,8 @@ def _traced(picture: NDArray[Any], name: str) -> Region:
     if picture.dtype.kind != "b":
         rim = np.concatenate([grey[0], grey[-1], grey[:, 0], grey[:, -1]])
         grey = 1.0 - grey if np.median(rim) > 0.5 else grey
+    if grey.max() <= 0.5:
+        raise CrazingError(f"{name} has nothing inside: nothing differs from its border by more than a half")
     found = contours(np.pad(grey, 1))
     rings = [line - 1.0 for line in found.lines if len(line) > 2]
     plain = [_plain(line, _STEPS) for line in rings]

@@ -459,12 +459,9 @@ def from_svg(source: str | os.PathLike[str], *, n: int | None = None, spacing: f
 
 def _pair(value: Any, name: str) -> tuple[float, float]:
     """A number, for both axes, or two numbers, as (x, y)."""
-    if np.ndim(value) == 0:
-        value = (value, value)
-    if np.shape(value) != (2,):
-        raise ValueError(f"{name} has shape {np.shape(value)}; a number or (x, y) is wanted")
-    x, y = (arguments.number(part, f"{name}[{i}]") for i, part in enumerate(value))
-    return x, y
+    parts = value if np.iterable(value) and not isinstance(value, str) else (value, value)
+    x, y = arguments.entries(parts, name, 2, "a number or (x, y)")
+    return arguments.number(x, f"{name}[0]"), arguments.number(y, f"{name}[1]")
 
 
 def _scale(value: Any) -> tuple[float, float]:

@@ -68,7 +68,7 @@ def minimize(
     -----
     Source: Rubinstein, The cross-entropy method for combinatorial and continuous optimization, 1999.
     """
-    seed = np.random.default_rng(rng)
+    seed = _rng.generator(rng)
     ending = None if seconds is None else time.monotonic() + seconds
     middle, width = np.asarray(start, dtype=np.float64), np.asarray(spread, dtype=np.float64)
     first, kept = middle, [(np.inf, 0, middle)]

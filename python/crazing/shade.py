@@ -71,7 +71,8 @@ def shade(texture: Texture, *, light: ArrayLike = (-0.55, 0.65, 0.8), exposure: 
     half /= np.linalg.norm(half)
     rough = texture["roughness"] if "roughness" in texture else np.float32(0.6)
     gloss = 2.0 / np.maximum(rough, 0.12) ** 4 - 2.0
-    mirror = _MIRROR * (gloss + 8.0) / 8.0 * np.maximum(normal @ half, 0.0) ** gloss
+    # The part of the light that Blinn's microfacets mirror: on a rough surface hardly any, or black cracks turn grey.
+    mirror = _MIRROR * (gloss + 2.0) / 8.0 * np.maximum(normal @ half, 0.0) ** gloss
     # The lamp lights a level surface fully, wherever it is.
     lit = albedo * (_SKY * texture["ao"] + (1.0 - _SKY) / sun[2] * facing)[..., None]
     return _srgb((lit + (mirror * facing)[..., None]) * exposure)

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from crazing import _core, pruning
 from crazing.arguments import choice, count, real_array
 from crazing.diagram import Diagram, as_diagram
+from crazing.errors import CrazingError
 from crazing.graph import PlanarGraph
 from crazing.record import Record
 
@@ -21,6 +22,8 @@ Mask: TypeAlias = NDArray[np.bool_]
 #: Methods of `crust`, and ways to choose poles.
 CRUSTS = ("two-pass", "one-step", "gabriel", "nn")
 VARIANTS = ("thesis", "amenta")
+#: Points that feeding back may lead to: as many skeletons are kept, and the next would be some three times as large.
+MOST = 1 << 24
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -454,7 +457,10 @@ def nested(
     found = [medial_axis(diagram, method=method)]
     within = _default_box(diagram.sites) if bounds is None else _box(bounds)
     while len(found) < rounds:
-        diagram = as_diagram(np.concatenate([diagram.sites, _fed_back(diagram, within)]))
+        points = np.concatenate([diagram.sites, _fed_back(diagram, within)])
+        if len(points) > MOST:
+            raise CrazingError(f"skeleton {len(found)} would have {len(points)} points; at most {MOST} are taken")
+        diagram = as_diagram(points)
         found.append(medial_axis(diagram, method=method))
     return found
 

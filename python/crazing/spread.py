@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from crazing import arguments
 from crazing.errors import CrazingError
 
 if TYPE_CHECKING:
@@ -15,6 +14,8 @@ if TYPE_CHECKING:
 
 #: Fewest points a line is given: with two, a closed line would be gone.
 FEWEST = 3
+#: Most points in all; sharing them out takes several times their memory.
+MOST = 100_000_000
 
 
 def travelled(lines: Contours) -> NDArray[np.float64]:
@@ -83,12 +84,17 @@ def shares(length: NDArray[np.float64], n: int) -> NDArray[np.int64]:
 
 def counts_at(lines: Contours, step: float) -> NDArray[np.int64]:
     """Points of every line that bring its step nearest to `step`; 0 for lines too short for 3 points."""
-    counts = np.rint(lines.length / step).astype(np.int64) + ~lines.closed
+    length = lines.length
+    with np.errstate(over="ignore", divide="ignore"):
+        total = float((length / step).sum())
+    if not total <= MOST:
+        least = float(length.sum()) / MOST
+        raise ValueError(f"spacing is {step:g}; at least {least:g} is wanted for lines of {length.sum():g} in all")
+    counts = np.rint(length / step).astype(np.int64) + ~lines.closed
     counts[counts < FEWEST] = 0
     if not counts.any():
         longest = float(lines.length.max(initial=0.0))
-        raise CrazingError(f"spacing is {step:g} pixels; the longest contour, of {longest:g}, is too short for it")
-    arguments.count(int(counts.sum()), "number of points at this spacing")
+        raise CrazingError(f"spacing is {step:g}; the longest line, of {longest:g}, is too short for it")
     return counts
 
 

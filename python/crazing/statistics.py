@@ -6,7 +6,7 @@ import dataclasses
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 from crazing.record import Record
 
@@ -72,6 +72,14 @@ SCORED = (
 LEAST_DEVIATION = 0.12
 #: The most that one statistic adds to a score.
 CAP = 4.0
+
+
+class Measured(Protocol):
+    """What has targets that were measured: :class:`crazing.Targets`."""
+
+    @property
+    def measured(self) -> Mapping[str, Target]:
+        """Mean and deviation by name."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -219,12 +227,12 @@ class CrackStatistics(Record):
         names = [field.name for field in dataclasses.fields(self)]
         return {SYMBOLS.get(name, name) if symbols else name: getattr(self, name) for name in names}
 
-    def deviations(self, targets: Mapping[str, Target]) -> dict[str, float]:
+    def deviations(self, targets: Mapping[str, Target] | Measured) -> dict[str, float]:
         """How far each statistic lies from its target, in deviations of the target.
 
         Parameters
         ----------
-        targets : mapping of str to (mean, standard deviation)
+        targets : mapping of str to (mean, standard deviation), or Targets
             By name or symbol; others are passed over. A deviation below 12 % of the mean counts as that.
 
         Returns
@@ -244,7 +252,7 @@ class CrackStatistics(Record):
         >>> cz.measure(cross).deviations({"fX": (0.1, 0.05)})
         {'x_nodes': 2.0}
         """
-        found = {}
+        found, targets = {}, _table(targets)
         for name, value in self.to_dict().items():
             pair = targets.get(name, targets.get(SYMBOLS.get(name, name)))
             if pair is not None:
@@ -252,12 +260,12 @@ class CrackStatistics(Record):
                 found[name] = (value - mean) / (max(spread, LEAST_DEVIATION * abs(mean)) or math.inf)
         return {name: value for name, value in found.items() if not math.isnan(value)}
 
-    def score(self, targets: Mapping[str, Target]) -> float:
+    def score(self, targets: Mapping[str, Target] | Measured) -> float:
         """How far the pattern is from a target: 0 is the same; patches of one painting score about .5 to one another.
 
         Parameters
         ----------
-        targets : mapping of str to (mean, standard deviation)
+        targets : mapping of str to (mean, standard deviation), or Targets
             By name or symbol. Only what does not follow the size of the picture is compared: shares of nodes, T share,
             right angles, loops, dead ends, tortuosity, variation of segments and cells, orientation, widths, box
             dimension and roughness. A target without cells (NaN) leaves them out.
@@ -281,6 +289,7 @@ class CrackStatistics(Record):
         >>> thesis.score(painting) > 2
         True
         """
+        targets = _table(targets)
         known = {name: targets.get(name, targets.get(SYMBOLS.get(name, name))) for name in SCORED}
         wanted = [name for name, pair in known.items() if pair is not None and not math.isnan(_pair(name, pair)[0])]
         if not wanted:
@@ -296,6 +305,14 @@ class CrackStatistics(Record):
         )
 
     __repr__ = __str__
+
+
+def _table(targets: Mapping[str, Target] | Measured) -> Mapping[str, Target]:
+    """The pairs by name: as they are, or those of a preset's targets."""
+    table = targets if isinstance(targets, Mapping) else getattr(targets, "measured", None)
+    if not isinstance(table, Mapping):
+        raise TypeError(f"targets is {type(targets).__name__}; pairs by name are wanted, or what crazing.targets gives")
+    return table
 
 
 def _pair(name: str, pair: Any) -> tuple[float, float]:

@@ -430,6 +430,7 @@ def roughen(
     unit: float,
     hurst: float = 0.7,
     grain: float = 0.15,
+    rounding: float = 0.0,
     rng: RNG = None,
 ) -> Drawing:
     """Let cracks wander: 1/f displacement, zero at junctions and ends; edges are subdivided.
@@ -445,6 +446,9 @@ def roughen(
         Deviation grows with this power of length: .5 is a random walk, .7 is what real cracks show.
     grain : float
         Edges are halved until no longer than this many units.
+    rounding : float
+        How far edges are bent, so that cracks turn in curves instead of corners: 0 not at all, 1 all the way, where
+        there is room.
     rng : int, numpy.random.Generator or None
         Seed.
 
@@ -460,7 +464,8 @@ def roughen(
 
     Notes
     -----
-    Source: Fournier, Fussell, Carpenter: Computer Rendering of Stochastic Models (1982).
+    Source: Fournier, Fussell, Carpenter: Computer Rendering of Stochastic Models (1982); Catmull, Rom: A class of local
+    interpolating splines (1974), for the curves.
 
     Examples
     --------
@@ -480,6 +485,7 @@ def roughen(
         arguments.number(hurst, "hurst", low=0, high=2),
         unit,
         unit * arguments.number(grain, "grain", low=0, high=1e6),
+        arguments.number(rounding, "rounding", low=0, high=1),
         key(rng),
     )
     age = drawing.age[origin] if len(drawing.age) else drawing.age

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from crazing import panels
-from crazing.arguments import count
+from crazing.arguments import count, found
 from crazing.compare import Comparison, compare
 from crazing.extras import require
 from crazing.record import Record
@@ -164,6 +164,8 @@ def compare_sizes(
          24  edge-filter           ...
          12     one-step           12  ...
     """
+    if not np.iterable(sizes):
+        raise TypeError(f"sizes is {found(sizes)}; a list of numbers of samples is wanted")
     numbers = [count(size, f"sizes[{i}]", low=3) for i, size in enumerate(sizes)]
     if not numbers:
         raise ValueError("sizes is empty; one number of samples or more is wanted")

@@ -171,7 +171,13 @@ class Texture(Mapping[str, NDArray[Any]]):
             array.flags.writeable = False
 
     def __getitem__(self, name: str) -> NDArray[Any]:
-        return self.maps[name]
+        try:
+            return self.maps[name]
+        except KeyError:
+            kept = ", ".join(self.maps)
+            raise KeyError(
+                f"the texture has no map {name!r}{arguments.meant(name, self.maps)}; it has {kept}"
+            ) from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.maps)
@@ -417,14 +423,9 @@ def _sides(names: tuple[str, ...], material: Material, crack: Any, arrays: tuple
 
 def _scaled(material: Material, crack: Any, arrays: tuple[Any, ...]) -> dict[str, Any]:
     """The material's fields with all lengths in data units."""
-    vertices, edges, shifts, widths, *_ = arrays
-    period = getattr(crack, "period", None)
-    ends = vertices[edges]
-    step = ends[:, 1] - ends[:, 0] + (shifts * np.asarray(period) if period is not None else 0.0)
+    length, widest = _core.extent(arrays, getattr(crack, "period", None))
     xmin, ymin, xmax, ymax = crack.bounds
-    area, length = (xmax - xmin) * (ymax - ymin), float(np.hypot(*step.T).sum())
-    plate = 2.0 * area / length if length > 0.0 else max(xmax - xmin, ymax - ymin)
-    widest = float(np.quantile(widths, 0.95)) if widths.size else 0.0
+    plate = 2.0 * (xmax - xmin) * (ymax - ymin) / length if length > 0.0 else max(xmax - xmin, ymax - ymin)
     scaled = {name: getattr(material, name) for name in material.__dataclass_fields__}
     for name in ("relief", "chip_size", "curl_width", "grain_size", "mottle_size", "dirt_width", "wear_width"):
         scaled[name] = scaled[name] * plate

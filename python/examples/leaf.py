@@ -7,10 +7,11 @@ import argparse
 from pathlib import Path
 
 import numpy as np
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from skimage.draw import polygon2mask
 from skimage.filters import gaussian
+
+import crazing as cz
 
 # Right half from the tip to the stem, drawn by eye; y up, the leaf is about 2 high.
 HALF = (
@@ -46,9 +47,7 @@ def main() -> None:
     parser.add_argument("-o", "--output", type=Path, default=Path(), metavar="FOLDER", help="where leaf.png is written")
     given = parser.parse_args()
     given.output.mkdir(parents=True, exist_ok=True)
-    figure = Figure(figsize=(4, 4), layout="constrained")
-    figure.subplots().imshow(picture(100 if given.small else 600), cmap="gray_r")
-    figure.savefig(given.output / "leaf.png", dpi=100)
+    cz.save_png(given.output / "leaf.png", 255 - picture(100 if given.small else 600))
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import secrets
 from pathlib import Path
@@ -13,6 +14,7 @@ import crazing
 from crazing.cli.progress import rows
 from crazing.cli.texture import pixels
 from crazing.dataset import LABELS
+from crazing.dataset_folder import key_of
 
 
 def _folder(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
@@ -27,7 +29,11 @@ def _folder(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
 @click.command("dataset")
 @click.option("-n", "n", type=click.IntRange(1, 10_000_000), default=100, show_default=True, help="Pictures.")
 @click.option(
-    "--preset", "presets", multiple=True, metavar="NAME", help="Kind of crack; may be given several times. Default all."
+    "--preset",
+    "presets",
+    multiple=True,
+    metavar="A,B",
+    help="Kinds of crack; may be given several times. Default all.",
 )
 @click.option(
     "--size",
@@ -53,7 +59,12 @@ def _folder(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
     metavar="PX",
     help="The mask shows thinner cracks as wide as this; 0 shows them as they are, with gaps.",
 )
-@click.option("--seed", type=click.IntRange(min=0), metavar="N", help="Seed; by default a fresh one, which is printed.")
+@click.option(
+    "--seed",
+    type=click.IntRange(min=0),
+    metavar="N",
+    help="Seed; by default that of the data set in FOLDER, or a fresh one.",
+)
 @click.option("--threads", type=click.IntRange(1, 1024), metavar="N", help="Pictures at a time; all cores by default.")
 @click.option("--json", "as_json", is_flag=True, help="Print the result as one line of JSON.")
 @click.option("-o", "--output", required=True, metavar="FOLDER", callback=_folder, help="Where to.")
@@ -68,9 +79,13 @@ def command(
     Example: crazing dataset -n 1000 --preset asphalt-crack --preset concrete-spall --seed 7 -o cracks/
     """
     as_json, output, (width, height) = given.pop("as_json"), given.pop("output"), given.pop("size")
-    seed = secrets.randbits(32) if seed is None else seed
     names = tuple(word.strip() for word in labels.split(","))
-    data = crazing.dataset(n, presets=presets or None, size=(height, width), labels=names, rng=seed, **given)
+    kinds = tuple(word.strip() for value in presets for word in value.split(","))
+    given = {**given, "presets": kinds or None, "size": (height, width), "labels": names}
+    seed, key = (seed, None) if seed is not None else (secrets.randbits(32), key_of(output))
+    data = crazing.dataset(n, rng=seed, **given)
+    if key is not None:
+        seed, data = None, dataclasses.replace(data, key=key)
     with rows("pictures") as progress:
         made = data.write(output, threads=threads, progress=progress)
     counts = dict.fromkeys(("train", "val", "test"), 0)
@@ -78,5 +93,6 @@ def command(
         counts[data.drawn(i)["split"]] += 1
     report = {"output": output, "pictures": n, "made": made, **counts, "labels": list(names), "seed": seed}
     split = ", ".join(f"{count} {name}" for name, count in counts.items())
-    words = f"{output}: {n} pictures ({split}), {made} of them new, seed {seed}"
+    known = "the seed it had" if seed is None else f"seed {seed}"
+    words = f"{output}: {n} pictures ({split}), {made} of them new, {known}"
     click.echo(json.dumps(report) if as_json else words)

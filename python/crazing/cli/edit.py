@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import webbrowser
-from pathlib import Path
 from typing import Any
 
 import click
 
+from crazing.cli.source import content_of
 from crazing.edit import exchange
 from crazing.edit.session import Session
 from crazing.extras import require
@@ -27,7 +27,7 @@ def command(*, file: str | None, port: int, no_browser: bool) -> None:
         require(package, "edit")
     from crazing.edit.server import Server
 
-    session = Session(None if file is None else exchange.load(Path(file).read_bytes()))
+    session = Session(None if file is None else exchange.load(content_of(file)))
     server = Server(session, port=port)
     click.echo(f"The editor is at {server.address}")
     click.echo("The address works once. Ctrl-C ends.")

@@ -12,12 +12,18 @@ import click
 
 import crazing
 from crazing import _core, provenance
+from crazing.arguments import meant
 from crazing.cli.progress import rows
 from crazing.material import preset_material
-from crazing.pictures.output import is_file, words
+from crazing.pictures.output import is_file, refuse_others, words
 
 #: What a folder gets when no maps are named; a single file gets the colour.
 USUAL = ("color", "normal", "height", "ao", "roughness")
+
+
+#: Fields of a recipe by the options that set them, and those that only walls of a maze have.
+_OPTIONS = {"n": "--sites", "sampler": "--distribution", "opening": "--opening"}
+_MAZE = ("sampler", "opening")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,6 +36,7 @@ class Order:
     output: str
     preset: str | None
     recipe: str | None
+    material: str | None
     seamless: bool
     maps: str | None
     format: str | None
@@ -44,6 +51,7 @@ class Order:
 
     def make(self) -> dict[str, Any]:
         """Makes the files; a report of them."""
+        refuse_others(self.output)
         recipe, material = self._recipe()
         frame = self._frame()
         crack = recipe.crack(**frame, width=self.width, rng=self.seed)
@@ -89,6 +97,13 @@ class Order:
             recipe, material = crazing.Recipe.load(self.recipe), _material_beside(self.recipe)
         else:
             recipe, material = crazing.Recipe(), None
+        if recipe.generator != "maze":
+            idle = [_OPTIONS[name] for name in self.changes if name in _MAZE]
+            if idle:
+                kind = self.preset or self.recipe
+                raise click.UsageError(f"{idle[0]} does nothing for {kind}, whose cracks are not the walls of a maze.")
+        if self.material is not None:
+            material = preset_material(self.material)
         return recipe.replace(**self.changes), material
 
     def _frame(self) -> dict[str, Any]:
@@ -130,7 +145,13 @@ def _material_beside(path: str) -> crazing.Material | None:
     import tomllib
 
     with Path(path).open("rb") as file:
-        table = tomllib.load(file).get("material")
+        tables = tomllib.load(file)
+    # Of preset files, which this may be a copy of.
+    known = ("title", "citation", "recipe", "targets", "material")
+    for name in tables:
+        if name not in known:
+            raise ValueError(f"{path} has a table or key {name!r}{meant(name, known)}; {', '.join(known)} are read")
+    table = tables.get("material")
     if table is None:
         return None
     if not isinstance(table, dict):

@@ -11,8 +11,7 @@ import numpy as np
 
 import crazing
 from crazing.cli.progress import steps
-from crazing.images import read_image
-from crazing.region import as_region
+from crazing.cli.source import region_of
 
 ENDINGS = (".svg", ".dxf", ".pdf", ".png")
 
@@ -28,7 +27,9 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
 
 @click.command("maze")
 @click.option("-n", "--cells-number", "n", type=click.IntRange(min=3), default=1000, show_default=True, help="Cells.")
-@click.option("--within", type=click.Path(exists=True, dir_okay=False), help="Picture of a shape to fill.")
+@click.option(
+    "--within", type=click.Path(exists=True, dir_okay=False), help="Shape to fill: a picture, SVG or GeoJSON."
+)
 @click.option(
     "--cells",
     type=click.Choice(["voronoi", "delaunay"]),
@@ -43,15 +44,22 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
     show_default=True,
     help="How the ways grow.",
 )
+@click.option(
+    "--opening",
+    type=click.FloatRange(0, 1),
+    default=1.0,
+    show_default=True,
+    help="Share of the doors really opened; below 1 some cells cannot be reached.",
+)
 @click.option("--solution", is_flag=True, help="Draw the solution too, as a layer of its own.")
 @click.option("--distances", is_flag=True, help="Colour the cells by their distance from the start; not in .dxf.")
 @click.option("--seed", type=click.IntRange(min=0), help="Seed; by default a fresh one, which is printed.")
 @click.option("--page", type=float, nargs=2, default=(210.0, 297.0), show_default=True, help="Width, height in mm.")
+@click.option("--margin", type=float, default=10.0, show_default=True, help="Kept free on all sides, mm.")
+@click.option("--pen", type=float, default=0.5, show_default=True, help="Width of the lines, mm.")
 @click.option("--thickness", type=float, help="Thickness of the walls in mm, drawn as outlines.")
 @click.option("-o", "--output", required=True, metavar="FILE", callback=_checked, help="An .svg, .dxf, .pdf or .png.")
-def command(
-    *, output: str, solution: bool, distances: bool, seed: int | None, thickness: float | None, **parameters: Any
-) -> None:
+def command(*, output: str, solution: bool, distances: bool, seed: int | None, **parameters: Any) -> None:
     """Draws a maze on a page, in millimetres.
 
     Within a shape, entrance and exit are the two places of its outline that lie farthest apart.
@@ -59,12 +67,12 @@ def command(
     if distances and output.lower().endswith(".dxf"):
         raise click.BadParameter("--distances are colours, which a .dxf has not.")
     seed = secrets.randbits(32) if seed is None else seed
-    page = parameters.pop("page")
+    paper = {name: parameters.pop(name) for name in ("page", "margin", "pen", "thickness")}
     with steps(2) as begin:
         begin("carving")
-        maze = _maze(seed=seed, page=page, **parameters)
+        maze = _maze(seed=seed, page=paper["page"], **parameters)
         begin("writing")
-        maze.save(output, page=page, solution=solution, distances=distances, thickness=thickness)
+        maze.save(output, solution=solution, distances=distances, **paper)
     found = maze.statistics
     click.echo(
         f"{output}: {found.cells} cells, {found.dead_ends} dead ends, {found.junctions} junctions, "
@@ -72,19 +80,19 @@ def command(
     )
 
 
-def _maze(*, n: int, within: str | None, cells: str, tree: str, seed: int, page: tuple[float, float]) -> crazing.Maze:
+def _maze(*, n: int, within: str | None, cells: str, seed: int, page: tuple[float, float], **how: Any) -> crazing.Maze:
     rng = np.random.default_rng(seed)
     # There are two triangles a point.
     count = n if cells == "voronoi" else max(3, n // 2)
     if within is None:
         box = (0.0, 0.0, float(page[0]), float(page[1]))
         points = crazing.sample.uniform(count, bounds=box, rng=rng)
-        return crazing.maze(points, cells=cells, tree=tree, bounds=box, rng=rng)
-    region = as_region(read_image(within))
+        return crazing.maze(points, cells=cells, **how, bounds=box, rng=rng)
+    region = region_of(within)
     # As many points as leave about `count` in the shape.
     probe = crazing.sample.uniform(4096, bounds=region.bounds, rng=rng)
     share = max(float(region.contains(probe).mean()), 1e-3)
     points = crazing.sample.uniform(int(count / share), bounds=region.bounds, rng=rng)
     if cells == "delaunay":
         points = points[region.contains(points)]
-    return crazing.maze(points, cells=cells, tree=tree, within=region, rng=rng)
+    return crazing.maze(points, cells=cells, **how, within=region, rng=rng)

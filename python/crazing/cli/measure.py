@@ -6,18 +6,36 @@ import json
 import math
 
 import click
+import numpy as np
+from numpy.typing import NDArray
 
 import crazing
 from crazing.cli.progress import steps
 from crazing.images import read_image
 from crazing.measure import as_mask
 
+#: From so many pieces on, and with so few junctions a piece, lines are taken to have fallen apart.
+_MANY, _JOINED = 20, 0.25
+
 
 def mask_options(function: click.decorators.FC) -> click.decorators.FC:
     """Adds what says which pixels are crack."""
     words = "Brightness above which there is crack, from 0 black to 1 white."
     function = click.option("--dark", is_flag=True, help="Cracks are dark on bright ground.")(function)
-    return click.option("--level", type=float, default=0.5, show_default=True, metavar="Z", help=words)(function)
+    return click.option(
+        "--level", type=click.FloatRange(0, 1), default=0.5, show_default=True, metavar="Z", help=words
+    )(function)
+
+
+def remarks(mask: NDArray[np.bool_], name: str, *, level: float, dark: bool) -> None:
+    """Says on standard error what makes it unlikely that the right pixels are taken for crack."""
+    share = float(mask.mean())
+    if share == 0.0:
+        side = "at or below" if dark else "above"
+        click.echo(f"Note: {name} has no pixel {side} level {level:g}: no crack. See --level and --dark.", err=True)
+    elif share > 0.5:
+        other = "without --dark, what is bright" if dark else "with --dark, what is dark"
+        click.echo(f"Note: {share:.0%} of {name} is taken for crack; {other} would be.", err=True)
 
 
 @click.command("measure")
@@ -53,8 +71,12 @@ def command(
     with steps(2) as begin:
         begin("reading")
         picture = as_mask(read_image(mask), level=level, dark=dark)
+        remarks(picture, mask, level=level, dark=dark)
         begin("measuring")
         found = crazing.measure(picture, spur=spur, merge=merge, border=border, reach=reach)
+    if found.components >= _MANY and found.junctions < _JOINED * found.components:
+        words = f"{found.components:.0f} pieces and {found.junctions:.0f} junctions: lines may have fallen apart"
+        click.echo(f"Note: {mask} has {words}. See --level.", err=True)
     far = {} if targets is None else found.deviations(targets.measured)
     if as_json:
         values = {name: None if math.isnan(value) else value for name, value in found.to_dict().items()}

@@ -50,7 +50,7 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
 )
 @click.option("--part", type=click.Choice([*PARTS]), default="inner", show_default=True, help="What is written.")
 @click.option("--points", type=click.IntRange(min=3), metavar="N", help="Samples along all contours together.")
-@click.option("--spacing", type=float, metavar="D", help="Distance between samples instead, in pixels.")
+@click.option("--spacing", type=float, metavar="D", help="Distance between samples instead.")
 @level_option
 @click.option("--hairs", is_flag=True, help="Leave the axis as it is found; by default its hairs are pruned.")
 @click.option(
@@ -68,10 +68,11 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
     "-o", "--output", required=True, metavar="FILE", callback=_checked, help="An .svg, .dxf, .geojson or .png."
 )
 def command(*, source: str, part: str, output: str, size: int, as_json: bool, **given: Any) -> None:
-    """Finds the skeleton of SOURCE: a picture, an SVG drawing, or points.
+    """Finds the skeleton of SOURCE: a picture, an SVG drawing, a polygon, or points.
 
-    Pictures and drawings are sampled along their contours. Points come as CSV (two columns), NPY or GeoJSON, and are
-    taken as they are. Coordinates are pixels, or the units of the drawing or the points, with y up.
+    Pictures, drawings and polygons (GeoJSON) are sampled along their contours. Points come as CSV (two columns, or
+    those named x and y), NPY or GeoJSON, and are taken as they are. Coordinates are pixels, or the units of the drawing
+    or the points, with y up.
 
     The parts: inner, the axis inside closed curves; main, its longest path, a centreline; axis, the axis on both sides
     as far as the samples reach; crust, the curve through the samples.

@@ -9,8 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 import crazing
+from crazing import outline
 from crazing.edit import exchange
 from crazing.images import read_image
+from crazing.region import Region, as_region
+
+#: Most bytes of a file that is read.
+MOST = 1 << 30
+#: Samples of the outline of a polygon if nothing else is said.
+POLYGON = 1000
 
 
 def level_option(function: click.decorators.FC) -> click.decorators.FC:
@@ -32,12 +39,39 @@ def samples(
     """The samples, and how high the steps are that their making left in them, if that is known."""
     if n is not None and spacing is not None:
         raise click.UsageError("--points and --spacing exclude one another.")
-    content = Path(source).read_bytes()
+    content = content_of(source)
     if exchange.is_picture(content):
         levels = level if len(level) > 1 else level[0]
         return crazing.sample.from_image(read_image(source), level=levels, n=n, spacing=spacing), 1.0
     if exchange.is_foreign_svg(content):
         return crazing.sample.from_svg(source, n=n, spacing=spacing), None
+    if exchange.is_polygon(content):
+        # Corners alone say little of a shape.
+        n = POLYGON if n is None and spacing is None else n
+        return crazing.sample.from_polygon(source, n=n, spacing=spacing), None
     if n is not None or spacing is not None:
         raise click.UsageError(f"{source} holds points, which are taken as they are, without --points and --spacing.")
-    return exchange.load(content), None
+    points = exchange.load(content)
+    if not len(points):
+        raise click.ClickException(f"{source} holds no points.")
+    return points, None
+
+
+def content_of(source: str) -> bytes:
+    """What a file holds, if it is no more than can be wanted: some files have no end."""
+    with Path(source).open("rb") as file:
+        content = file.read(MOST + 1)
+    if len(content) > MOST:
+        raise click.ClickException(f"{source} holds more than {MOST} bytes.")
+    return content
+
+
+def region_of(source: str) -> Region:
+    """The shape in a picture, a drawing or GeoJSON."""
+    content = content_of(source)
+    if exchange.is_foreign_svg(content):
+        lines = outline.svg_lines(Path(source))
+        return as_region([line for line, closed in zip(lines.lines, lines.closed, strict=True) if closed], source)
+    if exchange.is_polygon(content):
+        return as_region(outline.geojson(source), source)
+    return as_region(read_image(source), source)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import secrets
+from pathlib import Path
 from typing import Any
 
 import click
@@ -23,7 +24,7 @@ FRAMED = 0.9
 
 
 #: Options that ask for maps instead of the plain picture.
-MAPPED = ("preset", "recipe", "seamless", "maps", "format", "layout", "name", "metres", "frames")
+MAPPED = ("preset", "recipe", "material", "seamless", "maps", "format", "layout", "name", "metres", "frames")
 
 
 def pixels(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[int, int]:
@@ -76,6 +77,7 @@ def pixels(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[
 )
 @click.option("--preset", metavar="NAME", help="Kind of crack, with its material; crazing presets lists them.")
 @click.option("--recipe", type=click.Path(exists=True, dir_okay=False), metavar="TOML", help="The same from a file.")
+@click.option("--material", metavar="NAME", help="Profile and colours of another preset.")
 @click.option("--seamless", is_flag=True, help="Opposite sides fit together.")
 @click.option(
     "--maps",
@@ -101,9 +103,9 @@ def command(ctx: click.Context, /, *, as_json: bool, output: str, **given: Any) 
 
     Example: crazing texture --preset glaze --size 8192 --seamless --maps all -o glaze/
 
-    The first draws ink on paper. Any of --preset, --recipe, --seamless, --maps, --format, --layout, --name, --metres
-    and --frames makes maps: one, by default the colour, where PATH ends in .png, .tif, .exr or .zarr, else several in
-    a folder. Maps may have any size; when a run is stopped, the same command goes on with it.
+    The first draws ink on paper. Any of --preset, --recipe, --material, --seamless, --maps, --format, --layout,
+    --name, --metres and --frames makes maps: one, by default the colour, where PATH ends in .png, .tif, .exr or
+    .zarr, else several in a folder. Maps may have any size; when a run is stopped, the same command goes on with it.
 
     The same seed and options give the same pixels, on every machine and with any number of threads. They are kept in
     every file, and crazing rerun makes it again.
@@ -115,10 +117,19 @@ def command(ctx: click.Context, /, *, as_json: bool, output: str, **given: Any) 
         files = report["files"]
         words = f"{files[0]}{f' and {len(files) - 1} more' if len(files) > 1 else ''}: {_sizes(report)}"
     else:
-        checked(ctx, ctx.command.params[-1], output)
+        _plain(ctx, output)
         report = _picture(output, given)
         words = f"{output}: {_sizes(report)}"
     say(json.dumps(report) if as_json else words, output)
+
+
+def _plain(ctx: click.Context, output: str) -> None:
+    """Refuses what is no PNG, with a word about what makes other files."""
+    ending = Path(output).suffix.lower()
+    if output != STANDARD and ending != ".png":
+        wanted = "the plain picture is a PNG; --maps color, or --preset, makes maps: a folder, .tif, .exr or .zarr."
+        raise click.UsageError(f"{output!r} does not end in .png: {wanted}", ctx)
+    checked(ctx, ctx.command.params[-1], output)
 
 
 def _sizes(report: dict[str, Any]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import json
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any, TypeAlias
 from xml.etree import ElementTree
 
@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from crazing import arguments
+from crazing.edit import table
 from crazing.errors import CrazingError
 
 Points: TypeAlias = NDArray[np.float64]
@@ -30,7 +31,6 @@ _PICTURES = (b"\x89PNG", b"\xff\xd8\xff", b"II*\0", b"MM\0*", b"BM", b"GIF8", b"
 _GROUP = "crazing-points"
 
 _NPY = b"\x93NUMPY"
-_NUMBER = re.compile(r"[^\s,;]+")
 
 
 def checked(points: Any) -> Points:
@@ -75,8 +75,8 @@ def load(content: bytes) -> Points:
     Parameters
     ----------
     content : bytes
-        CSV (two columns, a line of names or none), NPY, GeoJSON (the positions of any geometry), or SVG with circles
-        written by :func:`written`.
+        CSV (two columns, or those named x and y; see :func:`crazing.edit.table.points`), NPY, GeoJSON (the positions
+        of any geometry), or SVG with circles written by :func:`written`.
 
     Returns
     -------
@@ -96,19 +96,24 @@ def load(content: bytes) -> Points:
     head = content[:256].lstrip(b"\xef\xbb\xbf \t\r\n")
     if content.startswith(_NPY):
         return checked(_from_npy(content))
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise CrazingError("this is no CSV, NPY, GeoJSON or SVG file with points, nor a picture") from None
+    text = table.decoded(content)
+    if text is None:
+        raise CrazingError("this is no CSV, NPY, GeoJSON or SVG file with points, nor a picture")
     if head.startswith(b"<"):
         return checked(_from_svg(text))
-    return checked(_from_geojson(text) if head.startswith((b"{", b"[")) else _from_csv(text))
+    return checked(_from_geojson(text) if head.startswith((b"{", b"[")) else table.points(text, MOST_POINTS))
 
 
 def is_foreign_svg(content: bytes) -> bool:
     """Whether this is an SVG without points of ours: a drawing, whose contour can be traced."""
     head = content.lstrip(b"\xef\xbb\xbf \t\r\n")
     return head.startswith(b"<") and b"<svg" in head and _GROUP.encode() not in head
+
+
+def is_polygon(content: bytes) -> bool:
+    """Whether this is GeoJSON with a polygon: a shape, whose outline can be sampled."""
+    head = content[:256].lstrip(b"\xef\xbb\xbf \t\r\n")
+    return head.startswith(b"{") and re.search(rb'"type"\s*:\s*"(Multi)?Polygon"', content) is not None
 
 
 def is_picture(content: bytes) -> bool:
@@ -149,24 +154,6 @@ def _svg(points: Points) -> bytes:
 _WRITERS: dict[str, Callable[[Points], bytes]] = {"csv": _csv, "npy": _npy, "svg": _svg, "geojson": _geojson}
 
 
-def _from_csv(text: str) -> list[tuple[float, float]]:
-    found: list[tuple[float, float]] = []
-    for row, line in enumerate(text.splitlines(), 1):
-        parts = _NUMBER.findall(line)
-        if not parts:
-            continue
-        if len(found) >= MOST_POINTS:
-            raise CrazingError(f"the file has more than {MOST_POINTS} points")
-        try:
-            x, y = map(float, parts[:2])
-        except ValueError:
-            if not found and row == 1:
-                continue  # The names of the columns.
-            raise CrazingError(f"line {row} is {line[:40]!r}; two numbers are wanted") from None
-        found.append((x, y))
-    return found
-
-
 def _from_npy(content: bytes) -> NDArray[Any]:
     try:
         file = io.BytesIO(content)
@@ -179,12 +166,16 @@ def _from_npy(content: bytes) -> NDArray[Any]:
         wanted = dtype.itemsize
         for side in shape:
             wanted *= side
-        if dtype.hasobject or wanted != len(content) - file.tell():
+        if dtype.hasobject:
+            raise ValueError("it holds Python objects, which are not read")
+        if wanted != len(content) - file.tell():
             raise ValueError("its header does not fit its content")
         file.seek(0)
         array: NDArray[Any] = np.load(file, allow_pickle=False)
     except (ValueError, OSError, EOFError, SyntaxError, TypeError, OverflowError) as error:
         raise CrazingError(f"the NPY file cannot be read: {error}") from None
+    if {"x", "y"} <= set(array.dtype.names or ()):
+        return np.column_stack([array["x"], array["y"]])
     return array
 
 
@@ -208,20 +199,7 @@ def _from_geojson(text: str) -> list[tuple[float, float]]:
         root = json.loads(text)
     except (ValueError, RecursionError) as error:
         raise CrazingError(f"the GeoJSON cannot be read: {error}") from None
-    return list(_positions(root))
-
-
-def _positions(root: Any) -> Iterator[tuple[float, float]]:
-    """Every position in the file's order, without recursion: nesting is the file's choice."""
-    left = [root]
-    while left:
-        node = left.pop()
-        if isinstance(node, dict):
-            inner = [node.get(word) for word in ("features", "geometry", "geometries", "coordinates")]
-            left.extend(reversed([part for part in inner if part is not None]))
-        elif isinstance(node, list) and len(node) >= 2 and all(type(part) in (int, float) for part in node):
-            yield arguments.number(node[0], "a coordinate"), arguments.number(node[1], "a coordinate")
-        elif isinstance(node, list):
-            left.extend(reversed(node))
-        else:
-            raise CrazingError(f"the GeoJSON holds {str(node)[:40]!r} where positions are wanted")
+    try:
+        return list(arguments.positions(root, "the GeoJSON"))
+    except ValueError as error:
+        raise CrazingError(str(error)) from None

@@ -155,6 +155,7 @@ _FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
     "roughness": ("Roughness", (0, 0.3, 0.005), "Of every crack"),
     "hurst": ("Hurst exponent", (0, 1, 0.01), "Smooth or jagged roughness"),
     "grain": ("Grain", (0.02, 1, 0.01), "Finest roughness, in spacings"),
+    "rounding": ("Rounding", (0, 1, 0.01), "Curves instead of corners"),
     "thickness": ("Thickness", (0, 0.5, 0.005), "In spacings of plates"),
     "hierarchy": ("Hierarchy", (0, 2, 0.01), "How much wider long cracks are"),
     "shrink": ("Shrink", (0, 1, 0.01), "Width from a generation to the next"),

@@ -55,12 +55,26 @@ class Wanted:
         layouts.named(self.layout)
         layouts.checked_name(self.name)
         if not arguments.number(self.metres, "metres", low=0.0) > 0:
-            raise ValueError("metres is 0; the size of a data unit is wanted")
+            raise ValueError("metres is 0; a number above 0, the size of a data unit, is wanted")
+
+
+#: Endings of pictures that are not written: a folder is not called by them.
+_OTHERS = (
+    *(".jpg", ".jpeg", ".webp", ".bmp", ".gif", ".tga", ".dds", ".hdr", ".ktx", ".avif", ".jxl", ".psd"),
+    *(".svg", ".pdf", ".dxf", ".geojson", ".mtlx", ".gltf", ".glb"),
+)
 
 
 def is_file(path: str | os.PathLike[str]) -> bool:
     """Whether a path names one picture, by its ending; else it is a folder for several."""
     return Path(path).suffix.lower() in ENDINGS
+
+
+def refuse_others(path: str | os.PathLike[str]) -> None:
+    """Raises where a path names a picture of a kind that is not written, not a folder."""
+    ending = Path(path).suffix.lower()
+    if ending in _OTHERS and not Path(path).is_dir():
+        raise ValueError(f"{os.fspath(path)} ends in {ending}; {', '.join(ENDINGS)} or a folder is wanted")
 
 
 def format_of(path: str | os.PathLike[str], format: str | None) -> str:
@@ -79,6 +93,7 @@ def form_of(path: str | os.PathLike[str], format: str | None) -> Format:
 
 def pictures_of(path: str | os.PathLike[str], wanted: Wanted) -> tuple[str, ...]:
     """The pictures that the maps become at `path`."""
+    refuse_others(path)
     form = form_of(path, wanted.format)
     for i, word in enumerate(wanted.maps):
         arguments.choice(word, f"maps[{i}]", ("normal", *PICTURES))

@@ -50,16 +50,9 @@ class Writer:
 
     def write(self, samples: NDArray[Any]) -> State:
         """Append a band of rows as one row of tiles."""
-        rows, width = samples.shape[:2]
-        across = -(-width // TILE)
-        tiles = np.zeros((self.band, across * TILE, *samples.shape[2:]), dtype=self.dtype.newbyteorder("<"))
-        tiles[:rows, :width] = samples
-        # Pixels beyond the edge go on as the last ones: they cost least so.
-        tiles[:rows, width:] = samples[:, -1:]
-        tiles[rows:] = tiles[rows - 1 : rows]
-        cells = tiles.reshape(self.band, across, TILE, -1).swapaxes(0, 1)
-        data = np.ascontiguousarray(cells).view(np.uint8).reshape(across, self.band, TILE, -1)
-        found = _core.tiff_tiles(data, self.dtype.itemsize, self.dtype.kind == "f")
+        small = np.ascontiguousarray(samples, dtype=self.dtype.newbyteorder("<"))
+        rows = small.reshape(*samples.shape[:2], -1).view(np.uint8)
+        found = _core.tiff_tiles(rows, self.dtype.itemsize, self.dtype.kind == "f", (self.band, TILE))
         for tile in found:
             self.part.write(tile)
         sizes = [len(tile) for tile in found]

@@ -14,8 +14,9 @@ from crazing.extras import require
 from crazing.pictures.about import KEY, About
 from crazing.pictures.parts import State
 
-#: Pixels across of a chunk, and chunks across of a shard, which is one file.
-CHUNK, SHARD = 256, 16
+#: Pixels across of a chunk, and chunks across of a shard, which is one file. A chunk costs the library as much time as
+#: packing a quarter of a megabyte.
+CHUNK, SHARD = 1024, 4
 
 
 class Writer:
@@ -58,6 +59,10 @@ class Writer:
             dtype=self.dtype,
             chunks=(self.band, CHUNK, *rest),
             shards=(self.band, across * CHUNK, *rest),
+            # Smaller than the library's own choice, and twice as fast: bytes of like weight lie together.
+            compressors=library.codecs.BloscCodec(
+                cname="lz4", clevel=1, shuffle="shuffle", typesize=self.dtype.itemsize
+            ),
             dimension_names=("y", "x", "channel")[: len(self.shape)],
             attributes={KEY: dict(self.about.record), "density": list(self.about.density)},
         )

@@ -58,7 +58,7 @@ mod _core {
         poles_axis, sides, two_pass, without_bumps,
     };
     #[pymodule_export]
-    use crate::texture::{plates, texture};
+    use crate::texture::{extent, plates, texture};
     #[pymodule_export]
     use crate::tiff::tiff_tiles;
 

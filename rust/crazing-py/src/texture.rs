@@ -33,7 +33,7 @@ fn material(given: &Bound<'_, PyAny>) -> PyResult<Material> {
     Ok(fields!(given, Material {
         relief, widest, depth, roundness, rim, rim_width, chip, chip_size, curl, curl_width, curl_spread, tilt, level,
         grain, grain_size, tint, mottle, mottle_size, speckle, dirt_amount, dirt_width, wear, wear_width, roughness,
-        roughness_spread, crack_roughness
+        roughness_spread, crack_roughness, debris
     } { plate, crack, dirt, worn }))
 }
 
@@ -76,6 +76,13 @@ pub(crate) fn plates<'py>(
     let middles =
         found.middles.into_iter().map(|middles| middles.as_flattened().try_into().unwrap_or([0.0; 4])).collect();
     Ok((table(py, found.plates)?, table::<f64, 4>(py, middles)?, PyArray1::from_vec(py, found.reaches)))
+}
+
+/// The length of all edges of a crack together, and the width that one end in twenty exceeds.
+#[pyfunction]
+pub(crate) fn extent(py: Python<'_>, pattern: PatternArrays<'_>, period: Option<[f64; 2]>) -> PyResult<(f64, f64)> {
+    let pattern = view(&pattern)?;
+    detached(py, |_| crazing::texture::extent(&pattern, period)).map(|found| (found.length, found.widest))
 }
 
 /// Writes the maps in `out`, C-contiguous arrays by name, for a window (top, left, height, width) of a picture.

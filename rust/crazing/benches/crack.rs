@@ -50,7 +50,7 @@ fn main() {
         timed("warp", unit, || warp(straight.view(), fence, 0.035 * spacing, bounds, [3, 4], watch).unwrap());
     let how = Stubs { rate: 0.5 / spacing, length: 0.37 * spacing, spread: 0.06, lean: 0.14 };
     let (grown, _) = timed("stubs", unit, || stubs(net.view(), &partner, fence, bounds, how, [5, 6], watch).unwrap());
-    let how = Roughness { amplitude: 0.01, hurst: 0.7, unit: spacing, grain: 0.2 * spacing };
+    let how = Roughness { amplitude: 0.01, hurst: 0.7, unit: spacing, grain: 0.2 * spacing, rounding: 0.0 };
     let (rough, _) = timed("roughen", unit, || {
         roughen(grown.net.view(), &grown.partner, grown.fence.view(), how, [7, 8], watch).unwrap()
     });

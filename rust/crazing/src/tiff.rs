@@ -7,14 +7,12 @@ use crate::error::{Error, Result};
 use crate::watch::Watch;
 use crate::{deflate, parallel};
 
-/// Tiles of one size, one after the other, without gaps.
+/// Rows of a picture that are to be cut into one row of tiles.
 #[derive(Debug, Clone, Copy)]
-pub struct Tiles<'a> {
-    /// `height * width * channels` samples a tile, little-endian.
+pub struct Band<'a> {
+    /// Rows of `width * channels` samples, little-endian; at most as many rows as a tile has.
     pub bytes: &'a [u8],
-    /// Rows a tile.
-    pub height: usize,
-    /// Pixels a row of a tile.
+    /// Pixels a row.
     pub width: usize,
     /// Samples a pixel.
     pub channels: usize,
@@ -22,45 +20,73 @@ pub struct Tiles<'a> {
     pub sample: usize,
     /// Whether the samples are floats.
     pub float: bool,
+    /// Rows and columns of a tile.
+    pub tile: [usize; 2],
 }
 
 /// Every tile as a zlib stream of differences along the rows: predictor 3 of TIFF for floats, 2 for integers.
 ///
+/// Pixels beyond the edges go on as the last ones: they cost least so.
+///
 /// # Errors
-/// [`Error::BadLength`] or [`Error::BadValue`] for bytes that are no such tiles, [`Error::Interrupted`].
-pub fn compress(tiles: Tiles<'_>, watch: Watch<'_>) -> Result<Vec<Vec<u8>>> {
-    if !matches!(tiles.sample, 1 | 2 | 4) {
+/// [`Error::BadLength`] or [`Error::BadValue`] for bytes that are no such rows, [`Error::Interrupted`].
+pub fn compress(band: Band<'_>, watch: Watch<'_>) -> Result<Vec<Vec<u8>>> {
+    if !matches!(band.sample, 1 | 2 | 4) {
         return Err(Error::BadValue {
             name: "sample",
-            value: tiles.sample as f64,
+            value: band.sample as f64,
             wanted: "1, 2 or 4 bytes are wanted",
         });
     }
-    let row = tiles.width.saturating_mul(tiles.channels).saturating_mul(tiles.sample);
-    let size = row.saturating_mul(tiles.height);
-    if size == 0 || !tiles.bytes.len().is_multiple_of(size) {
-        return Err(Error::BadLength { array: "tiles", found: tiles.bytes.len(), wanted: size });
+    let row = band.width.saturating_mul(band.channels).saturating_mul(band.sample);
+    let [height, width] = band.tile;
+    let rows = band.bytes.len().checked_div(row).unwrap_or(0);
+    if rows == 0 || rows > height || width == 0 || rows * row != band.bytes.len() {
+        return Err(Error::BadLength { array: "rows", found: band.bytes.len(), wanted: row.saturating_mul(height) });
     }
-    parallel::several(tiles.bytes.len() / size, |index| {
+    parallel::several(band.width.div_ceil(width), |index| {
         watch.poll()?;
-        let mut out = Vec::with_capacity(size);
-        for row in tiles.bytes[index * size..(index + 1) * size].chunks_exact(row) {
-            tiles.predict(row, &mut out);
-        }
-        Ok(deflate::zlib(&out))
+        Ok(deflate::zlib(&band.tile(index, row)))
     })
     .into_iter()
     .collect()
 }
 
-impl Tiles<'_> {
-    /// Appends a row as differences.
-    fn predict(&self, row: &[u8], out: &mut Vec<u8>) {
+impl Band<'_> {
+    /// The differences of one tile, from rows of so many bytes.
+    fn tile(&self, index: usize, row: usize) -> Vec<u8> {
+        let pixel = self.channels * self.sample;
+        let wide = self.tile[1] * pixel;
+        let (first, last) = (index * wide, row.min((index + 1) * wide));
+        let mut out = vec![0; self.tile[0] * wide];
+        let (mut line, mut planes) = (vec![0; wide], vec![0; wide]);
+        let (done, below) = out.split_at_mut(self.bytes.len() / row * wide);
+        for (row, out) in self.bytes.chunks_exact(row).zip(done.chunks_exact_mut(wide)) {
+            let (inside, beyond) = line.split_at_mut(last - first);
+            inside.copy_from_slice(&row[first..last]);
+            let edge = &inside[inside.len() - pixel..];
+            beyond.chunks_exact_mut(pixel).for_each(|beyond| beyond.copy_from_slice(edge));
+            self.predict(&line, &mut planes, out);
+        }
+        let last = &done[done.len() - wide..];
+        below.chunks_exact_mut(wide).for_each(|below| below.copy_from_slice(last));
+        out
+    }
+
+    /// Writes a row as differences.
+    fn predict(&self, row: &[u8], planes: &mut [u8], out: &mut [u8]) {
         match (self.float, self.sample) {
-            (true, _) => self.planes(row, out),
-            (false, 1) => differences(row, self.channels, out),
+            (false, 1) => self.words(row, u8::from_le_bytes, u8::wrapping_sub, u8::to_le_bytes, out),
             (false, 2) => self.words(row, u16::from_le_bytes, u16::wrapping_sub, u16::to_le_bytes, out),
             (false, _) => self.words(row, u32::from_le_bytes, u32::wrapping_sub, u32::to_le_bytes, out),
+            (true, sample) => {
+                match sample {
+                    2 => split::<2>(row, planes),
+                    4 => split::<4>(row, planes),
+                    _ => planes.copy_from_slice(row),
+                }
+                self.words(planes, u8::from_le_bytes, u8::wrapping_sub, u8::to_le_bytes, out);
+            }
         }
     }
 
@@ -70,25 +96,20 @@ impl Tiles<'_> {
         read: impl Fn([u8; N]) -> T,
         subtract: impl Fn(T, T) -> T,
         write: impl Fn(T) -> [u8; N],
-        out: &mut Vec<u8>,
+        out: &mut [u8],
     ) {
-        let words = row.as_chunks::<N>().0;
-        out.extend_from_slice(words[..self.channels].as_flattened());
-        for (&here, &left) in words[self.channels..].iter().zip(words) {
-            out.extend_from_slice(&write(subtract(read(here), read(left))));
+        let (words, out) = (row.as_chunks::<N>().0, out.as_chunks_mut::<N>().0);
+        out[..self.channels].copy_from_slice(&words[..self.channels]);
+        for ((out, &here), &left) in out[self.channels..].iter_mut().zip(&words[self.channels..]).zip(words) {
+            *out = write(subtract(read(here), read(left)));
         }
-    }
-
-    /// The highest bytes of all samples, then the next ones, and so on: as one row of bytes.
-    fn planes(&self, row: &[u8], out: &mut Vec<u8>) {
-        let planes: Vec<u8> =
-            (0..self.sample).rev().flat_map(|place| row.iter().skip(place).step_by(self.sample).copied()).collect();
-        differences(&planes, self.channels, out);
     }
 }
 
-/// Appends bytes as differences to those `stride` before them.
-fn differences(row: &[u8], stride: usize, out: &mut Vec<u8>) {
-    out.extend_from_slice(&row[..stride]);
-    out.extend(row[stride..].iter().zip(row).map(|(a, b)| a.wrapping_sub(*b)));
+/// The highest bytes of all samples, then the next ones, and so on: as one row of bytes.
+fn split<const N: usize>(row: &[u8], planes: &mut [u8]) {
+    let words = row.as_chunks::<N>().0;
+    for (place, plane) in (0..N).rev().zip(planes.chunks_exact_mut(words.len().max(1))) {
+        plane.iter_mut().zip(words).for_each(|(out, word)| *out = word[place]);
+    }
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use crazing::diagram::scale::{Scale, largest};
 use crazing::diagram::{diagram, representatives};
-use crazing::predicates::orientation;
+use crazing::predicates::{circumcentre, orientation};
 use crazing::quad_edge::{inv_rot, onext, rot, sym};
 use crazing::{Diagram, Error, Point, Watch};
 use families::{FAMILIES, any_points, family, lattice, shuffled};
@@ -172,4 +172,22 @@ fn origin(d: &Diagram, q: i32) -> i32 {
 
 fn power_of_two(exponent: i32) -> f64 {
     2_f64.powi(exponent)
+}
+
+#[test]
+fn circumcentres_of_slivers_are_right_from_every_corner() {
+    // Three corners of a rectangle, along the axes and turned: the worst is the sharp corner, wherever it stands.
+    for narrow in (0..200).map(|k| 0.9_f64.powi(2 * k)) {
+        for [u, v] in [[1.0, 0.0], [0.0, 1.0], [0.6, 0.8], [-0.28, 0.96]] {
+            let at = |x: f64, y: f64| [x * u - y * v, x * v + y * u];
+            let [a, b, c] = [at(0.0, 0.0), at(narrow, 0.0), at(0.0, 1.25)];
+            for corners in [[a, b, c], [a, c, b], [b, a, c], [b, c, a], [c, a, b], [c, b, a]] {
+                let [x, y] = circumcentre(corners[0], corners[1], corners[2]);
+                let [wanted_x, wanted_y] = [(b[0] + c[0]) / 2.0, (b[1] + c[1]) / 2.0];
+                // Turned corners are rounded, and so is the right angle.
+                let least = 1e-12 + if u * v == 0.0 { 0.0 } else { 4e-16 / narrow };
+                assert!((x - wanted_x).hypot(y - wanted_y) < least, "{narrow} {corners:?}: {x} {y}");
+            }
+        }
+    }
 }

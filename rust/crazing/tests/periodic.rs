@@ -137,6 +137,28 @@ fn sites_far_from_the_sides_and_about_the_corner() {
     }
 }
 
+#[test]
+fn clusters_of_a_few_roundings_of_the_period() {
+    // Rounded centres of circles so small tell nothing of each other.
+    let close = |x: f64, most: f64| x / (2.0 * most + 1.0) + 0.5;
+    for seed in 0..500 {
+        let points = family("many decades", 2 + seed as usize % 6, seed);
+        let most = points.iter().flatten().fold(0.0_f64, |most, &x| most.max(x));
+        let points: Vec<Point> = points.iter().map(|p| p.map(|x| close(x, most))).collect();
+        let d = of(&points, [1.0, 1.25]);
+        assert_eq!(d.diagram.sites.len() + d.diagram.triangles.len(), d.diagram.edges.len());
+    }
+    // Polygons about the corner of the cell lie in four copies at once, with diagonals that must agree; their centres
+    // are no floating-point numbers.
+    for turn in 0..400 {
+        let [a, b, h] = [f64::from(1 + turn % 8), f64::from(1 + turn / 8 % 8), f64::from(3 + turn / 64)];
+        let trapezoid = [[-a, -2.0], [a, -2.0], [-b, h - 2.0], [b, h - 2.0]];
+        let points = trapezoid.map(|p| p.map(|x| (x * 2.0_f64.powi(-51)).rem_euclid(1.0)));
+        let d = of(&points, [1.0, 1.0]);
+        assert_eq!(d.diagram.sites.len() + d.diagram.triangles.len(), d.diagram.edges.len());
+    }
+}
+
 /// Points brought into a period and onto a grid on which every copy is exact.
 fn laid_near(points: &[Point], period: Point) -> Vec<Point> {
     let onto = |x: f64, side: f64| (x.rem_euclid(side) * 1_073_741_824.0).floor() / 1_073_741_824.0 % side;

@@ -2,7 +2,7 @@
 
 use std::io::Read;
 
-use crazing::tiff::{Tiles, compress};
+use crazing::tiff::{Band, compress};
 use crazing::{Error, Watch};
 use flate2::read::ZlibDecoder;
 
@@ -37,31 +37,40 @@ fn undone(row: &[u8], channels: usize, sample: usize, float: bool) -> Vec<u8> {
 
 #[test]
 fn tiles_come_back() -> Result<(), Box<dyn std::error::Error>> {
-    let (height, width) = (16, 32);
+    let (height, wide) = (16, 32);
     for (sample, float) in [(1, false), (2, false), (4, false), (2, true), (4, true)] {
-        for channels in 1..=3 {
-            let row = width * channels * sample;
-            let bytes: Vec<u8> = (0..3 * height * row).map(|i| (i * i / 11 + i) as u8).collect();
-            let tiles = Tiles { bytes: &bytes, height, width, channels, sample, float };
-            let mut found = Vec::new();
-            for stream in compress(tiles, Watch::default())? {
-                let tile = inflated(&stream)?;
-                assert_eq!(tile.len(), height * row);
-                found.extend(tile.chunks_exact(row).flat_map(|row| undone(row, channels, sample, float)));
+        for (channels, rows, width) in [(1, 16, 96), (2, 16, 64), (3, 16, 33), (3, 5, 31), (1, 1, 1)] {
+            let bytes: Vec<u8> = (0..rows * width * channels * sample).map(|i| (i * i / 11 + i) as u8).collect();
+            let band = Band { bytes: &bytes, width, channels, sample, float, tile: [height, wide] };
+            let streams = compress(band, Watch::default())?;
+            assert_eq!(streams.len(), width.div_ceil(wide));
+            let pixel = channels * sample;
+            for (nth, stream) in streams.iter().enumerate() {
+                let tile = inflated(stream)?;
+                assert_eq!(tile.len(), height * wide * pixel);
+                for (y, row) in tile.chunks_exact(wide * pixel).enumerate() {
+                    let row = undone(row, channels, sample, float);
+                    for (x, found) in row.chunks_exact(pixel).enumerate() {
+                        // Beyond the edges the last pixel goes on.
+                        let at = y.min(rows - 1) * width + (nth * wide + x).min(width - 1);
+                        assert_eq!(found, &bytes[at * pixel..][..pixel], "{band:?} at {x}, {y}");
+                    }
+                }
             }
-            assert!(found == bytes, "{channels} channels, {sample} bytes, float {float}");
         }
     }
     Ok(())
 }
 
 #[test]
-fn what_is_no_tile_is_named() {
-    let good = Tiles { bytes: &[0; 24], height: 2, width: 3, channels: 1, sample: 2, float: false };
-    let refused = |tiles| compress(tiles, Watch::default());
+fn what_are_no_rows_is_named() {
+    let good = Band { bytes: &[0; 24], width: 6, channels: 1, sample: 2, float: false, tile: [2, 4] };
+    let refused = |band| compress(band, Watch::default());
     assert!(refused(good).is_ok());
-    assert!(matches!(refused(Tiles { sample: 3, ..good }), Err(Error::BadValue { name: "sample", .. })));
-    assert!(matches!(refused(Tiles { width: 5, ..good }), Err(Error::BadLength { .. })));
-    assert!(matches!(refused(Tiles { width: 0, ..good }), Err(Error::BadLength { .. })));
+    assert!(matches!(refused(Band { sample: 3, ..good }), Err(Error::BadValue { name: "sample", .. })));
+    assert!(matches!(refused(Band { width: 5, ..good }), Err(Error::BadLength { .. })));
+    assert!(matches!(refused(Band { width: 0, ..good }), Err(Error::BadLength { .. })));
+    assert!(matches!(refused(Band { tile: [1, 4], ..good }), Err(Error::BadLength { .. })));
+    assert!(matches!(refused(Band { tile: [2, 0], ..good }), Err(Error::BadLength { .. })));
     assert_eq!(compress(good, Watch::new(&|| false)), Err(Error::Interrupted));
 }

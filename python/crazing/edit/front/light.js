@@ -17,7 +17,7 @@ const SLOPE = Float32Array.from({ length: 256 }, (_, value) => (value - 128) / 1
 const mirrors = [];
 function mirror(rough) {
   const gloss = 2 / Math.max(rough / 255, 0.12) ** 4 - 2;
-  mirrors[rough] ??= Float32Array.from({ length: 2049 }, (_, i) => ((MIRROR * (gloss + 8)) / 8) * (i / 2048) ** gloss);
+  mirrors[rough] ??= Float32Array.from({ length: 2049 }, (_, i) => ((MIRROR * (gloss + 2)) / 8) * (i / 2048) ** gloss);
   return mirrors[rough];
 }
 

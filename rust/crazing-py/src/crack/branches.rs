@@ -54,11 +54,12 @@ pub(crate) fn crack_roughen<'py>(
     hurst: f64,
     unit: f64,
     grain: f64,
+    rounding: f64,
     key: Key,
 ) -> PyResult<AgedOut<'py>> {
     let net = net.view()?;
     let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);
-    let how = Roughness { amplitude, hurst, unit, grain };
+    let how = Roughness { amplitude, hurst, unit, grain, rounding };
     let (rough, fence) = detached(py, |watch| {
         let rough = crack::roughen(net, partner, fence, how, key, watch)?;
         let fence = Fence::shut(rough.net.view());

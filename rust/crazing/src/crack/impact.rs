@@ -18,6 +18,8 @@ const MEASURED: [f64; 2] = [70.0, 4.0];
 const CRUSHED: f64 = 0.025;
 /// On a torus spokes end before they meet their copies.
 const OWN: f64 = 0.96;
+/// There, how much nearer to the source than that they may end, as a part of the way.
+const EARLY: f64 = 0.3;
 /// Radians of arc a piece.
 const PIECE: f64 = 0.2;
 /// How far, as a part of the distance to the source, an arc is off at a spoke; less than half the step to the next.
@@ -150,10 +152,12 @@ impl Star {
 
     /// A spoke from a vertex outward; some reach the bounds, others end on the way.
     fn add_spoke(&mut self, angle: f64, start: (f64, i32)) -> usize {
-        let most = self
-            .half
-            .map_or(2.0 * self.reach, |half| (half[0] / libm::cos(angle).abs()).min(half[1] / libm::sin(angle).abs()));
         let chance = self.normal();
+        // A square of tips would show the tile: on a torus they lie within an ellipse, none as far as the next.
+        let most = self.half.map_or(2.0 * self.reach, |half| {
+            let far = 1.0 / libm::hypot(libm::cos(angle) / half[0], libm::sin(angle) / half[1]);
+            far * (1.0 - EARLY * libm::exp(-chance.abs()))
+        });
         // Two of three get all the way, the first ones all: one that ended would leave half of its side empty.
         let to = if chance > -0.43 || start.1 == 0 {
             most

@@ -1,11 +1,13 @@
 //! Cracks: the walls of a maze, followed as strands and given a width. One step of a recipe a file.
 
 mod aged;
+mod bow;
 mod fence;
 mod growth;
 mod hooks;
 mod impact;
 mod net;
+mod noise;
 mod room;
 mod roughen;
 mod spacing;

@@ -1,7 +1,8 @@
 //! Rough cracks: 1/f wandering about their straight edges, pinned at the nodes.
 
-mod noise;
+mod bridge;
 
+use super::bow::Bow;
 use super::fence::{FenceView, Guard};
 use super::net::{Ends, NONE, Net, NetView};
 use super::room::Room;
@@ -10,7 +11,7 @@ use crate::graph::Point;
 use crate::parallel;
 use crate::rng::Key;
 use crate::watch::Watch;
-use noise::{Bridge, wavy};
+use bridge::{Bridge, wavy};
 
 /// Most halvings of one edge.
 const DEEPEST: u32 = 8;
@@ -30,6 +31,8 @@ pub struct Roughness {
     pub unit: f64,
     /// Edges are halved until no longer than this, data units.
     pub grain: f64,
+    /// How far edges are bent so that a crack turns smoothly from one to the next: 0 not at all, 1 all the way.
+    pub rounding: f64,
 }
 
 /// A rough drawing.
@@ -43,7 +46,8 @@ pub struct Rough {
     pub origin: Vec<i32>,
 }
 
-/// Subdivides edges and moves the new vertices across them, after moving the vertices inside each crack.
+/// Subdivides edges and moves the new vertices across them, after moving the vertices inside each crack: along the
+/// bow that its turns ask for, and about that at random.
 ///
 /// Between nodes (vertices of other degree than 2, cut ends) a crack is a bridge of fractional Brownian motion by
 /// midpoint displacement. Vertices move behind the fence, see [`super::Fence`]; every edge wanders in its own kite, a
@@ -62,8 +66,9 @@ pub fn roughen(
     key: Key,
     watch: Watch<'_>,
 ) -> Result<Rough> {
-    for (name, value) in [("roughness", how.amplitude), ("hurst", how.hurst), ("unit", how.unit), ("grain", how.grain)]
-    {
+    let Roughness { amplitude, hurst, unit, grain, rounding } = how;
+    let given = [("roughness", amplitude), ("hurst", hurst), ("unit", unit), ("grain", grain), ("rounding", rounding)];
+    for (name, value) in given {
         if !(value.is_finite() && value >= 0.0) {
             return Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" });
         }
@@ -71,7 +76,9 @@ pub fn roughen(
     let vertices = wander(net, fence, how, key, watch)?;
     let moved = NetView { vertices: &vertices, ..net };
     watch.poll()?;
-    let depths = parallel::map(net.edges.len(), |k| halvings(&Room::of(moved, fence, k), how) as u8);
+    let depths = parallel::map(net.edges.len(), |k| {
+        halvings(&Room::of(moved, fence, k), &Bow::of(moved, partner, k, rounding), how) as u8
+    });
     let mut starts = Vec::with_capacity(depths.len() + 1);
     starts.push(0_usize);
     for (k, &depth) in depths.iter().enumerate() {
@@ -91,7 +98,7 @@ pub fn roughen(
             let room = Room::of(moved, fence, k);
             let heights = &mut heights[..=1 << depths[k]];
             wavy(heights, how.deviation(room.length), next, key, k);
-            pieces(moved, &room, heights, k, &mut places);
+            pieces(moved, &room, &Bow::of(moved, partner, k, rounding), heights, k, &mut places);
         }
         places
     });
@@ -169,9 +176,11 @@ fn chain(
 }
 
 /// How often an edge is halved.
-fn halvings(room: &Room, how: Roughness) -> u32 {
+fn halvings(room: &Room, bow: &Bow, how: Roughness) -> u32 {
     let across = room.sides[0][1].max(room.sides[1][1]);
-    if !(how.grain > 0.0 && room.length.is_finite() && across > THIN * room.length) || how.amplitude == 0.0 {
+    if !(how.grain > 0.0 && room.length.is_finite() && across > THIN * room.length)
+        || (how.amplitude == 0.0 && bow.is_straight())
+    {
         return 0;
     }
     let mut depth = 0;
@@ -182,13 +191,14 @@ fn halvings(room: &Room, how: Roughness) -> u32 {
 }
 
 /// Adds the places of the inner vertices of an edge.
-fn pieces(net: NetView<'_>, room: &Room, heights: &[f64], edge: usize, places: &mut Vec<Point>) {
+fn pieces(net: NetView<'_>, room: &Room, bow: &Bow, heights: &[f64], edge: usize, places: &mut Vec<Point>) {
     let count = heights.len() - 1;
     let [a, b] = net.ends(edge);
     let (x, y) = ((b[0] - a[0]) / room.length, (b[1] - a[1]) / room.length);
     places.extend((1..count).map(|i| {
         let part = i as f64 / count as f64;
-        let height = room.within(part * room.length, heights[i]);
+        let bent = if bow.is_straight() { 0.0 } else { room.length * bow.height(part) };
+        let height = room.within(part * room.length, bent + heights[i]);
         [a[0] + part * (b[0] - a[0]) - height * y, a[1] + part * (b[1] - a[1]) + height * x]
     }));
 }

@@ -12,11 +12,11 @@ use crate::predicates::in_circle;
 /// change when the polygon is moved.
 ///
 /// `centres` are the circumcentres of the triangles: where they differ much there is no need of an exact sign. Whether
-/// any of neighbours coincide.
+/// any of neighbours may coincide.
 pub(super) fn settle(topology: &mut Topology, points: &[Point], centres: &[Point]) -> bool {
     let near = |k: usize| match topology.dual_edges[k] {
         [-1, _] | [_, -1] => false,
-        [r, s] => coincide(centres[r as usize], centres[s as usize], points[topology.edges[k][0] as usize]),
+        [r, s] => may_be_one(centres[r as usize], centres[s as usize], points[topology.edges[k][0] as usize]),
     };
     let Some(first) = parallel::first(topology.edges.len(), near) else { return false };
     let tied = parallel::map(topology.edges.len() - first, |k| near(first + k) && is_tied(topology, points, first + k));
@@ -34,6 +34,13 @@ pub(super) fn settle(topology: &mut Topology, points: &[Point], centres: &[Point
         }
     }
     true
+}
+
+/// Whether two rounded centres of circles through `site` may be those of one circle.
+fn may_be_one(a: Point, b: Point, site: Point) -> bool {
+    // Of circles far smaller than their distance from the origin, the rounding of the centres is what parts them.
+    let size = |v: Point| v[0].abs().max(v[1].abs());
+    size([a[0] - b[0], a[1] - b[1]]) <= 8.0 * f64::EPSILON * size(a) || coincide(a, b, site)
 }
 
 /// Whether the two triangles at an edge have one circumcircle.

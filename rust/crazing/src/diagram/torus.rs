@@ -23,7 +23,7 @@ pub(super) struct Cover {
     pub(super) topology: Topology,
     /// Circumcentres of the triangles.
     pub(super) centres: Vec<Point>,
-    /// Whether any two of neighbours coincide.
+    /// Whether any two of neighbours may coincide.
     pub(super) coincident: bool,
 }
 

@@ -146,12 +146,13 @@ pub fn circumcentre(a: Point, b: Point, c: Point) -> Point {
 fn circumcentre_at(a: Point, b: Point, c: Point) -> Option<Point> {
     let (bx, by) = (b[0] - a[0], b[1] - a[1]);
     let (cx, cy) = (c[0] - a[0], c[1] - a[1]);
-    let (left, right) = (bx * cy, by * cx);
-    let area = left - right;
-    if area.abs() < 1e-4 * (left.abs() + right.abs()) {
+    let area = bx * cy - by * cx;
+    let (b2, c2) = (bx * bx + by * by, cx * cx + cy * cy);
+    // What underflows is none, too.
+    let is_wide = area * area > 1e-8 * (b2 * c2);
+    if !is_wide {
         return None;
     }
-    let (b2, c2) = (bx * bx + by * by, cx * cx + cy * cy);
     let half = 0.5 / area;
     Some([a[0] + (cy * b2 - by * c2) * half, a[1] + (bx * c2 - cx * b2) * half])
 }

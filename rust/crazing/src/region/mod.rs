@@ -48,7 +48,12 @@ impl Region {
     /// [`Error::Interrupted`].
     pub fn of(coords: &[Point], offsets: &[i64], queries: usize, watch: Watch<'_>) -> Result<Self> {
         if let Some(row) = coords.iter().position(|p| !(p[0].abs() < 1e150 && p[1].abs() < 1e150)) {
-            return Err(Error::NotFinite { row, x: coords[row][0], y: coords[row][1] });
+            let [x, y] = coords[row];
+            if x.is_finite() && y.is_finite() {
+                let (name, wanted) = ("a coordinate of the outline", "less than 1e150 is wanted");
+                return Err(Error::BadValue { name, value: if x.abs() < y.abs() { y } else { x }, wanted });
+            }
+            return Err(Error::NotFinite { row, x, y });
         }
         let sides = rings::sides(coords, offsets, watch)?;
         let grid = Grid::of(coords, &sides, queries, watch)?;

@@ -7,6 +7,8 @@ use crate::error::{Error, Result};
 /// The pieces of every band, in ascending order.
 #[derive(Debug)]
 pub(super) struct Bands {
+    /// How many pieces were sorted.
+    pub(super) count: usize,
     starts: Vec<usize>,
     pieces: Vec<u32>,
 }
@@ -22,11 +24,12 @@ impl Bands {
             let band = |place: i64| (place - top * UNIT).div_euclid(height);
             let beside = region[0] >= right || region[2] < left;
             let (first, last) = (band(region[1]).max(0), band(region[3]).min(count as i64 - 1));
-            if beside || last < first { 0..0 } else { first as usize..last as usize + 1 }
+            if beside || last < first { 0..0 } else { first as u32..last as u32 + 1 }
         };
         let mut starts = vec![0_usize; count + 1];
-        for piece in pieces {
-            span(piece).for_each(|band| starts[band + 1] += 1);
+        let spans: Vec<_> = pieces.iter().map(span).collect();
+        for span in &spans {
+            span.clone().for_each(|band| starts[band as usize + 1] += 1);
         }
         for band in 0..count {
             starts[band + 1] += starts[band];
@@ -38,13 +41,13 @@ impl Bands {
             .try_reserve_exact(starts[count])
             .map_err(|_| Error::OutOfMemory { what: "the edges by bands", bytes })?;
         sorted.resize(starts[count], 0);
-        for (id, piece) in pieces.iter().enumerate() {
-            for band in span(piece) {
-                sorted[next[band]] = id as u32;
-                next[band] += 1;
+        for (id, span) in (0..).zip(spans) {
+            for band in span {
+                sorted[next[band as usize]] = id;
+                next[band as usize] += 1;
             }
         }
-        Ok(Self { starts, pieces: sorted })
+        Ok(Self { count: pieces.len(), starts, pieces: sorted })
     }
 
     /// The pieces that reach into a band.

@@ -35,6 +35,11 @@ pub(super) fn side(count: usize, area: f64, widest: f32) -> i64 {
 }
 
 impl Bins {
+    /// No bins at all.
+    pub(super) fn none() -> Self {
+        Self { side: LEAST, corner: [0; 2], columns: 0, rows: 0, starts: Vec::new(), pieces: Vec::new() }
+    }
+
     /// Sorts the pieces into bins of `side` pixels; `region` is made of whole bins.
     pub(super) fn new(pieces: &[Piece], region: Region, side: i64) -> Result<Self> {
         let corner = [region[0], region[1]];

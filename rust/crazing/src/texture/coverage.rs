@@ -32,7 +32,6 @@ impl WithSimd for Ink<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        self.rows.fill(0);
         for &id in self.ids {
             ink(&self.pieces[id as usize], self.corner, self.width, self.rows);
         }
@@ -47,11 +46,14 @@ fn ink(piece: &Piece, corner: [i64; 2], width: usize, rows: &mut [u8]) {
     let from = corner.map(|pixel| pixel * UNIT);
     let row_of = |place: i64| ((place - from[1]) >> 16).clamp(0, height);
     let column_of = |place: i64| ((place - from[0]) >> 16).clamp(0, width as i64) as usize;
-    let (columns, lines) = ((column_of(left), column_of(right + UNIT)), row_of(top)..row_of(bottom + UNIT));
+    // The region is a pixel wider than the piece, and nothing is covered farther than half a pixel from that to a
+    // pixel's middle.
+    let (columns, lines) = ((column_of(left), column_of(right + UNIT)), row_of(top + UNIT)..row_of(bottom));
     if columns.0 >= columns.1 {
         return;
     }
     let strip = Strip::new(piece, from, columns);
+    let thick = piece.radius.min(piece.radius + piece.slope * piece.length) > 0.5;
     let countable = piece.length + 2.0 * piece.radius.max(strip.widest) + (LANES as f32) < COUNTABLE;
     for row in lines {
         let y = from[1] + row * UNIT + UNIT / 2 - piece.start[1];
@@ -64,14 +66,14 @@ fn ink(piece: &Piece, corner: [i64; 2], width: usize, rows: &mut [u8]) {
                 let chunk_start = chunk.min(width - LANES);
                 let x = (from[0] + chunk_start as i64 * UNIT + UNIT / 2 - piece.start[0]) as i32;
                 if let Some(pixels) = line[chunk_start..].first_chunk_mut() {
-                    raise(piece, x, dy, pixels);
+                    if thick { raise::<true>(piece, x, dy, pixels) } else { raise::<false>(piece, x, dy, pixels) }
                 }
                 chunk += LANES;
             }
         } else {
-            for (column, pixel) in (start..end).zip(&mut line[start..end.max(start)]) {
+            for (column, pixel) in (start..end).zip(&mut line[start..end]) {
                 let x = from[0] + column as i64 * UNIT + UNIT / 2 - piece.start[0];
-                *pixel = (*pixel).max(share(piece, x as f32 * PART, dy).to_bits() as u8);
+                *pixel = (*pixel).max(share::<false>(piece, x as f32 * PART, dy).to_bits() as u8);
             }
         }
     }
@@ -100,23 +102,24 @@ impl Strip {
         Self { columns, widest, step, start }
     }
 
-    /// First and last but one of the columns of a row.
+    /// First and last but one of the columns of a row; none are counted from no farther than the last.
     #[inline(always)]
     fn columns(&self, dy: f32) -> (usize, usize) {
         let Some((slope, reach)) = self.step else { return self.columns };
         let middle = self.start + slope * f64::from(dy);
         let (low, high) = (middle - reach, middle + reach + 1.0);
         // `as` takes what is negative to 0.
-        ((low as usize).max(self.columns.0), (high as usize + 1).min(self.columns.1))
+        let end = (high as usize + 1).min(self.columns.1);
+        ((low as usize).max(self.columns.0).min(end), end)
     }
 }
 
 /// Raises some pixels of a row; the first lies `x` parts of a pixel to the right of the piece's start.
 #[inline(always)]
-fn raise(piece: &Piece, x: i32, dy: f32, pixels: &mut [u8; LANES]) {
+fn raise<const THICK: bool>(piece: &Piece, x: i32, dy: f32, pixels: &mut [u8; LANES]) {
     let mut values = [0.0_f32; LANES];
     for (lane, value) in values.iter_mut().enumerate() {
-        *value = share(piece, (x + lane as i32 * UNIT as i32) as f32 * PART, dy);
+        *value = share::<THICK>(piece, (x + lane as i32 * UNIT as i32) as f32 * PART, dy);
     }
     for (pixel, value) in pixels.iter_mut().zip(values) {
         let value = value.to_bits() as u8;
@@ -124,12 +127,12 @@ fn raise(piece: &Piece, x: i32, dy: f32, pixels: &mut [u8; LANES]) {
     }
 }
 
-/// The coverage of one pixel, in the lowest byte.
+/// The coverage of one pixel, in the lowest byte. Both sides of a thick piece are never within one pixel.
 #[inline(always)]
-fn share(piece: &Piece, dx: f32, dy: f32) -> f32 {
+fn share<const THICK: bool>(piece: &Piece, dx: f32, dy: f32) -> f32 {
     let foot = piece.foot(dx, dy);
     let near = unit(0.5 + foot.radius - foot.centre);
-    let far = unit(0.5 - foot.radius - foot.centre);
+    let far = if THICK { 0.0 } else { unit(0.5 - foot.radius - foot.centre) };
     (near - far) * 255.0 + ROUND
 }
 

@@ -6,6 +6,7 @@
 
 use crate::error::Result;
 use crate::graph::Point;
+use crate::parallel;
 use crate::watch::Watch;
 
 use super::Pattern;
@@ -21,7 +22,7 @@ pub struct Plates {
     pub plates: Vec<[i32; 2]>,
     /// From the first end of every edge to the middles of these plates, data units.
     pub middles: Vec<[[f64; 2]; 2]>,
-    /// The farthest corner of each plate from its middle, data units.
+    /// The farthest corner of each plate from its middle, data units; 0 of one that nothing closes.
     pub reaches: Vec<f64>,
 }
 
@@ -60,7 +61,7 @@ pub fn plates(pattern: &Pattern<'_>, bounds: [f64; 4], period: Option<Point>, wa
     let net = Net::new(pattern, bounds, period);
     let (starts, leaving) = net.leaving();
     watch.poll()?;
-    let walks = net.walks(&starts, &leaving);
+    let walks = net.walks(&after(&starts, &leaving));
     watch.poll()?;
     let outermost = Net::outermost(&net.parents(&walks, watch)?);
     Ok(net.number(&walks, &outermost))
@@ -88,6 +89,17 @@ pub(super) fn turn(v: Point) -> f64 {
     } else {
         -2.0 - part
     }
+}
+
+/// Behind every half-edge: at its end the next one clockwise from the way back.
+fn after(starts: &[usize], leaving: &[usize]) -> Vec<usize> {
+    let mut after = vec![0; leaving.len()];
+    for vertex in starts.windows(2) {
+        let around = &leaving[vertex[0]..vertex[1]];
+        let before = around.last().into_iter().chain(around);
+        around.iter().zip(before).for_each(|(&half, &before)| after[half ^ 1] = before);
+    }
+    after
 }
 
 impl Net {
@@ -167,24 +179,17 @@ impl Net {
             leaving[next[vertex]] = half;
             next[vertex] += 1;
         }
+        let turns = parallel::map(leaving.len(), |half| turn(self.half(half).1));
         for vertex in starts.windows(2) {
-            let key = |half: &usize| turn(self.half(*half).1);
-            leaving[vertex[0]..vertex[1]].sort_by(|a, b| key(a).total_cmp(&key(b)));
+            leaving[vertex[0]..vertex[1]].sort_by(|&a, &b| turns[a].total_cmp(&turns[b]));
         }
         (starts, leaving)
     }
 
-    /// Walks around every face.
-    fn walks(&self, starts: &[usize], leaving: &[usize]) -> Walks {
-        let mut place = vec![0; leaving.len()];
-        leaving.iter().enumerate().for_each(|(at, &half)| place[half] = at);
-        // At the end of a half-edge: the next one clockwise from the way back.
-        let next = |half: usize| {
-            let (vertex, at) = (self.half(half ^ 1).0, place[half ^ 1]);
-            leaving[if at == starts[vertex] { starts[vertex + 1] - 1 } else { at - 1 }]
-        };
-        let mut walks = Walks { of: vec![(usize::MAX, [0.0; 2]); leaving.len()], walks: Vec::new() };
-        for first in 0..leaving.len() {
+    /// Walks around every face, from half-edge to half-edge.
+    fn walks(&self, after: &[usize]) -> Walks {
+        let mut walks = Walks { of: vec![(usize::MAX, [0.0; 2]); after.len()], walks: Vec::new() };
+        for first in 0..after.len() {
             if walks.of[first].0 != usize::MAX {
                 continue;
             }
@@ -201,7 +206,7 @@ impl Net {
                 (area, count) = (area + slice, count + 1.0);
                 sum = add(sum, [slice * (at[0] + to[0]), slice * (at[1] + to[1])]);
                 mean = add(mean, at);
-                (half, at) = (next(half), to);
+                (half, at) = (after[half], to);
             }
             let middle = if area > 0.0 { sum.map(|part| part / (3.0 * area)) } else { mean.map(|part| part / count) };
             walks.walks.push(Walk { area, middle, left: left.0 });
@@ -211,7 +216,8 @@ impl Net {
 
     /// For every walk around something that floats the walk around the face it floats in, and where that starts.
     fn parents(&self, walks: &Walks, watch: Watch<'_>) -> Result<Vec<Option<(usize, Point)>>> {
-        let rows = Rows::new(self);
+        let floats = walks.walks.iter().filter(|walk| walk.area <= 0.0);
+        let rows = Rows::new(self, floats.map(|walk| self.places[self.half(walk.left).0][1]));
         let mut parents = Vec::with_capacity(walks.walks.len());
         for (id, walk) in walks.walks.iter().enumerate() {
             watch.poll_at(id)?;
@@ -258,8 +264,8 @@ impl Net {
         let mut see = |half: usize, found: &mut Plates| {
             let (walk, at) = walks.of[half];
             let (outer, from) = outermost[walk];
+            let floats = walks.walks[outer].area <= 0.0;
             if number[outer] < 0 {
-                let floats = walks.walks[outer].area <= 0.0;
                 number[outer] = outside.filter(|_| floats).unwrap_or(found.reaches.len() as i32);
                 if number[outer] as usize == found.reaches.len() {
                     found.reaches.push(0.0);
@@ -268,7 +274,9 @@ impl Net {
             }
             let middle = less(add(from, walks.walks[outer].middle), at);
             let reach = &mut found.reaches[number[outer] as usize];
-            *reach = reach.max((middle[0] * middle[0] + middle[1] * middle[1]).sqrt());
+            // What is not closed has no middle of its own: around a torus one that tilts would meet itself in a step.
+            let far = if floats { 0.0 } else { (middle[0] * middle[0] + middle[1] * middle[1]).sqrt() };
+            *reach = reach.max(far);
             (number[outer], middle)
         };
         for k in 0..self.own {

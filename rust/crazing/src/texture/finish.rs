@@ -43,12 +43,22 @@ pub(super) struct Rows {
     pub(super) chip: Vec<Value>,
     /// The plate of every code of the page, where it is known.
     pub(super) cells: Vec<i32>,
+    /// The strand and the generation of every piece of the page, where they are wanted.
+    pub(super) strands: Vec<i32>,
+    pub(super) generations: Vec<i32>,
 }
 
 impl Rows {
     pub(super) fn new() -> Self {
         let row = || vec![Value::default(); PAGE];
-        Self { grain: row(), mottle: row(), chip: row(), cells: Vec::new() }
+        Self {
+            grain: row(),
+            mottle: row(),
+            chip: row(),
+            cells: Vec::new(),
+            strands: Vec::new(),
+            generations: Vec::new(),
+        }
     }
 }
 
@@ -86,7 +96,7 @@ impl Scene<'_> {
     /// Writes the part of a page into a band of the window.
     #[inline(always)]
     pub(super) fn finish(&self, set: &Set, page: &Page, part: Part, rows: &mut Rows, maps: &mut Maps<'_>) {
-        self.forget(page, rows);
+        self.turn(set, page, rows, maps);
         for y in 0..part.height {
             let at = y * PAGE..y * PAGE + part.width;
             let corner = [part.corner[0], part.corner[1] + y as i64];
@@ -96,7 +106,7 @@ impl Scene<'_> {
             if let Some(out) = stretch(&mut maps.distance, &row, 1) {
                 out.iter_mut().zip(row.distance).for_each(|(out, distance)| *out = distance * self.data);
             }
-            self.labels(&row, &mut rows.cells, maps);
+            self.labels(&row, rows, maps);
             if self.wants.profile || self.wants.look {
                 self.noises(corner, part.width, rows);
             }

@@ -111,3 +111,10 @@ pub(super) fn round(value: f64) -> i64 {
     let rest = value - whole as f64;
     whole + i64::from(rest >= 0.5) - i64::from(rest <= -0.5)
 }
+
+/// The least integer that is not below a number: what `ceil` gives, likewise.
+#[inline(always)]
+pub(super) fn ceil(value: f64) -> i64 {
+    let whole = value as i64;
+    whole + i64::from(value > whole as f64)
+}

@@ -5,7 +5,7 @@ use super::finish::{Row, Rows, behind, stretch};
 use super::grid::{PART, UNIT};
 use super::maps::Maps;
 use super::near::{BEHIND_START, CODES, RIGHT};
-use super::nearest::Page;
+use super::nearest::{Page, Set};
 use super::piece::Piece;
 use super::scene::Scene;
 
@@ -27,33 +27,48 @@ const BLUR: f32 = 1.0 / 64.0;
 const LONG: f32 = 4096.0;
 
 impl Scene<'_> {
-    /// Forgets the plates of the last page.
+    /// Forgets the plates of the last page, and looks up the labels of this one.
     #[inline(always)]
-    pub(super) fn forget(&self, page: &Page, rows: &mut Rows) {
-        if self.wants.cell {
-            rows.cells.clear();
+    pub(super) fn turn(&self, set: &Set, page: &Page, rows: &mut Rows, maps: &Maps<'_>) {
+        let labels = [
+            (&mut rows.strands, self.pattern.strand, maps.strand.is_some()),
+            (&mut rows.generations, self.pattern.generation, maps.generation.is_some()),
+        ];
+        for (labels, given, wanted) in labels {
+            labels.clear();
+            if wanted {
+                labels.extend(page.ids.iter().map(|&id| given[set.pieces[id as usize].edge as usize]));
+            }
+        }
+        rows.cells.clear();
+        // A lone plate has the number 0.
+        if self.wants.cell && self.sides.reaches.len() > 1 {
             rows.cells.resize(page.ids.len() * CODES as usize, UNKNOWN);
         }
     }
 
     /// Writes the labels of a row.
     #[inline(always)]
-    pub(super) fn labels(&self, row: &Row<'_>, cells: &mut [i32], maps: &mut Maps<'_>) {
+    pub(super) fn labels(&self, row: &Row<'_>, rows: &mut Rows, maps: &mut Maps<'_>) {
         if let Some(out) = stretch(&mut maps.cell, row, 1) {
-            self.plates_of(row, cells, out);
+            self.plates_of(row, &mut rows.cells, out);
         }
-        let labels = [(&mut maps.strand, self.pattern.strand), (&mut maps.generation, self.pattern.generation)];
-        for (map, label) in labels {
+        let labels = [(&mut maps.strand, &rows.strands), (&mut maps.generation, &rows.generations)];
+        for (map, labels) in labels {
             let Some(out) = stretch(map, row, 1) else { continue };
-            out.fill(-1);
-            for (nth, distances) in row.distance.chunks(LANES).enumerate() {
+            if labels.is_empty() {
+                out.fill(-1);
+                continue;
+            }
+            for ((out, distances), codes) in
+                out.chunks_mut(LANES).zip(row.distance.chunks(LANES)).zip(row.code.chunks(LANES))
+            {
+                out.fill(-1);
                 if !distances.iter().fold(false, |any, &distance| any | (distance < REACH)) {
                     continue;
                 }
-                for (x, &distance) in (nth * LANES..).zip(distances) {
-                    if distance < REACH {
-                        out[x] = row.piece(x).map_or(-1, |piece| label[piece.edge as usize]);
-                    }
+                for ((out, &distance), &code) in out.iter_mut().zip(distances).zip(codes) {
+                    *out = if distance < REACH { labels[(code / CODES) as usize] } else { *out };
                 }
             }
         }
@@ -70,6 +85,10 @@ impl Scene<'_> {
             return out.fill(0);
         }
         for (nth, (out, codes)) in out.chunks_mut(LANES).zip(row.code.chunks(LANES)).enumerate() {
+            if is_one(codes) && cells[codes[0] as usize] >= 0 {
+                out.fill(cells[codes[0] as usize]);
+                continue;
+            }
             let mut least = 0;
             for (out, &code) in out.iter_mut().zip(codes) {
                 *out = cells[code as usize];
@@ -145,4 +164,10 @@ impl Fans {
         let amid = [0, 1].map(|axis| ahead[axis] + across[axis]);
         self.beyond(vertex, amid).map(|(half, _)| Some(half))
     }
+}
+
+/// Whether pixels are alike.
+#[inline(always)]
+fn is_one(codes: &[u32]) -> bool {
+    codes.iter().fold(true, |all, code| all & (*code == codes[0]))
 }

@@ -24,6 +24,7 @@ pub(super) struct Look {
     speckle: f32,
     dirt_amount: f32,
     dirt_rate: f32,
+    debris: f32,
     wear: f32,
     wear_rate: f32,
     roughness: f32,
@@ -90,6 +91,7 @@ impl Look {
             speckle: material.speckle,
             dirt_amount: material.dirt_amount,
             dirt_rate: rate(material.dirt_width),
+            debris: material.debris,
             wear: material.wear,
             wear_rate: rate(material.wear_width),
             roughness: material.roughness,
@@ -113,7 +115,9 @@ impl Look {
         let near = unit(1.0 - outside * self.dirt_rate);
         let dirty = mix(plate, self.dirt, unit(self.dirt_amount * near * near * (0.75 + 0.5 * place.mottle)));
         let worn = mix(dirty, self.worn, unit(self.wear(place)));
-        mix(worn, self.crack, place.crack).map(|light| self.srgb[(unit(light) * LIGHT as f32 + 0.5) as usize])
+        let littered = unit(self.debris * (0.5 + place.grain + 0.5 * place.mottle));
+        let floor = if littered > 0.0 { mix(self.crack, self.dirt, littered) } else { self.crack };
+        mix(worn, floor, place.crack).map(|light| self.srgb[(unit(light) * LIGHT as f32 + 0.5) as usize])
     }
 
     /// The roughness, 0 to 1.

@@ -9,6 +9,8 @@ mod around;
 mod bands;
 mod bins;
 mod coverage;
+mod cut;
+mod extent;
 mod faces;
 mod fans;
 mod finish;
@@ -29,6 +31,7 @@ mod relief;
 mod scene;
 mod squares;
 
+pub use extent::{Extent, extent};
 pub use faces::{Plates, plates};
 pub use grid::{View, Window};
 pub use maps::Maps;

@@ -37,8 +37,10 @@ impl Scene<'_> {
         }
         let corner = [self.window.left, self.window.top + (band * BAND) as i64];
         if let Some(mask) = &mut maps.mask {
-            let ids = self.bands.as_ref().map_or(&[][..], |bands| bands.of(band));
-            self.arch.dispatch(Ink { pieces: &self.near.pieces, ids, corner, width: self.window.width, rows: mask });
+            mask.fill(0);
+            for (pieces, ids) in self.covering(band) {
+                self.arch.dispatch(Ink { pieces, ids, corner, width: self.window.width, rows: mask });
+            }
         }
         if !self.wants.nearest() {
             return Ok(());

@@ -11,7 +11,8 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    pub(super) fn new(net: &Net) -> Self {
+    /// The rows in which rays at some heights run; the others stay empty.
+    pub(super) fn new(net: &Net, rays: impl Iterator<Item = f64>) -> Self {
         let ends = |k: usize| {
             let y = net.places[net.edges[k][0]][1];
             (y.min(y + net.steps[k][1]), y.max(y + net.steps[k][1]))
@@ -23,11 +24,16 @@ impl Rows {
         let (bottom, tall) = net.period.map_or((low, (high - low).max(f64::MIN_POSITIVE)), |period| (0.0, period[1]));
         let count = ((net.edges.len() as f64).sqrt() as usize).clamp(1, 4096);
         let mut rows = Self { bottom, height: tall / count as f64, rows: vec![Vec::new(); count] };
+        let mut wanted = vec![false; count];
+        rays.for_each(|y| wanted[rows.at(net, y)] = true);
         for k in all {
             let (low, high) = ends(k);
             let (first, last) = (rows.row(low), rows.row(high));
             for row in first..=last.min(first + count as i64 - 1) {
-                rows.rows[row.rem_euclid(count as i64) as usize].push(k as u32);
+                let row = row.rem_euclid(count as i64) as usize;
+                if wanted[row] {
+                    rows.rows[row].push(k as u32);
+                }
             }
         }
         rows
@@ -37,13 +43,16 @@ impl Rows {
         ((y - self.bottom) / self.height).floor() as i64
     }
 
+    /// The row of a ray.
+    fn at(&self, net: &Net, y: f64) -> usize {
+        let (row, count) = (self.row(y), self.rows.len() as i64);
+        (if net.period.is_some() { row.rem_euclid(count) } else { row.clamp(0, count - 1) }) as usize
+    }
+
     /// The half-edge whose face a ray to the left of a place runs through, and from the place to its start.
     pub(super) fn left_of(&self, net: &Net, place: Point) -> Option<(usize, Point)> {
-        let count = self.rows.len() as i64;
-        let row = self.row(place[1]);
-        let row = if net.period.is_some() { row.rem_euclid(count) } else { row.clamp(0, count - 1) };
         let mut best: Option<(f64, usize, Point)> = None;
-        for &k in &self.rows[row as usize] {
+        for &k in &self.rows[self.at(net, place[1])] {
             let (start, step) = (net.places[net.edges[k as usize][0]], net.steps[k as usize]);
             let mut from = less(start, place);
             if let Some(period) = net.period {

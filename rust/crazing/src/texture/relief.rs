@@ -10,9 +10,12 @@ use super::plates::Plate;
 use super::scene::Scene;
 
 /// Pixels done together.
-const LANES: usize = 16;
+const LANES: usize = 8;
 
 type Lanes = [f32; LANES];
+
+/// The normal of level ground.
+const UP: [f32; 3] = [0.0, 0.0, 1.0];
 
 /// The nearest discs of some pixels, and what stands on them.
 #[derive(Default)]
@@ -44,35 +47,37 @@ impl Scene<'_> {
         let mut height = stretch(&mut maps.height, row, 1);
         let mut normal = stretch(&mut maps.normal, row, 3).map(|out| out.as_chunks_mut().0);
         let mut sky = stretch(&mut maps.ao, row, 1);
-        let empty = row.page.ids.is_empty();
-        if self.plain || empty {
-            // Beyond the rims all is level.
-            height.iter_mut().for_each(|out| out.fill(self.profile.top));
-            normal.iter_mut().for_each(|out| out.fill([0.0, 0.0, 1.0]));
-            sky.iter_mut().for_each(|out| out.fill(1.0));
-        }
         let reach = if self.plain { self.profile.reach } else { f32::INFINITY };
+        let is_near = |distances: &[f32]| distances.iter().fold(false, |any, &distance| any | (distance < reach));
+        let step = if is_near(row.distance) { LANES } else { row.width() };
         let (mut ground, mut relief) = (Ground::default(), Relief::default());
-        for (nth, distances) in row.distance.chunks(LANES).enumerate() {
-            if empty || !distances.iter().fold(false, |any, &distance| any | (distance < reach)) {
+        for (nth, distances) in row.distance.chunks(step).enumerate() {
+            let first = nth * step;
+            let last = first + distances.len();
+            if !is_near(distances) {
+                // Beyond the rims all is level.
+                height.iter_mut().for_each(|out| out[first..last].fill(self.profile.top));
+                normal.iter_mut().for_each(|out| out[first..last].fill(UP));
+                sky.iter_mut().for_each(|out| out[first..last].fill(1.0));
                 continue;
             }
-            let first = nth * LANES;
             find(row, first, &mut ground, normal.is_some());
             self.chip(first, rows, &mut ground);
             self.raise(row, first, rows, &mut ground);
             self.stand(&ground, &mut relief, sky.is_some(), normal.is_some());
-            let (last, near) = (first + distances.len(), |lane: usize| distances[lane] < reach);
+            if self.plain {
+                relief.flatten(distances, reach, self.profile.top);
+            }
             if let Some(out) = &mut height {
-                put(&mut out[first..last], &relief.height, near);
+                out[first..last].copy_from_slice(&relief.height[..distances.len()]);
             }
             if let Some(out) = &mut sky {
-                put(&mut out[first..last], &relief.sky, near);
+                out[first..last].copy_from_slice(&relief.sky[..distances.len()]);
             }
             if let Some(out) = &mut normal {
                 let [x, y, z] = &relief.normal;
                 for (lane, out) in out[first..last].iter_mut().enumerate() {
-                    *out = if near(lane) { [x[lane], y[lane], z[lane]] } else { *out };
+                    *out = [x[lane], y[lane], z[lane]];
                 }
             }
         }
@@ -161,11 +166,18 @@ impl Scene<'_> {
     }
 }
 
-/// Writes those values whose lane is near enough.
-#[inline(always)]
-fn put(out: &mut [f32], values: &Lanes, near: impl Fn(usize) -> bool) {
-    for (lane, out) in out.iter_mut().enumerate() {
-        *out = if near(lane) { values[lane] } else { *out };
+impl Relief {
+    /// Levels what is not nearer to the crack than `reach`.
+    #[inline(always)]
+    fn flatten(&mut self, distances: &[f32], reach: f32, top: f32) {
+        let mut near = [false; LANES];
+        near.iter_mut().zip(distances).for_each(|(near, &distance)| *near = distance < reach);
+        let [x, y, z] = &mut self.normal;
+        for (values, level) in [(&mut self.height, top), (&mut self.sky, 1.0), (x, 0.0), (y, 0.0), (z, 1.0)] {
+            for (value, near) in values.iter_mut().zip(near) {
+                *value = if near { *value } else { level };
+            }
+        }
     }
 }
 
@@ -175,22 +187,32 @@ fn find(row: &Row<'_>, first: usize, ground: &mut Ground, slopes: bool) {
     let (mut dx, mut dy) = ([0.0_f32; LANES], [0.0_f32; LANES]);
     let (mut along, mut length) = ([[0.0_f32; LANES]; 2], [0.0_f32; LANES]);
     let (mut widths, mut lean) = ([[0.0_f32; LANES]; 2], [0.0_f32; LANES]);
-    for (lane, x) in (first..row.width().min(first + LANES)).enumerate() {
-        let place = (row.code[x] / CODES) as usize;
-        if let Some(near) = row.page.near.get(place) {
-            let middle = |pixel: usize, start: i32| {
-                ((pixel as i32 * UNIT as i32 + UNIT as i32 / 2).wrapping_sub(start)) as f32 * PART
-            };
-            (dx[lane], dy[lane]) = (middle(x, near.start[0]), middle(row.y, near.start[1]));
-            (along[0][lane], along[1][lane], length[lane]) = (near.along[0], near.along[1], near.length);
-            (widths[0][lane], widths[1][lane], lean[lane]) = (near.radius, near.slope, near.lean);
-        } else if let Some(piece) = row.piece(x) {
-            [dx[lane], dy[lane]] = row.offset(x, piece);
-            (along[0][lane], along[1][lane], length[lane]) = (piece.along[0], piece.along[1], piece.length);
-            (widths[0][lane], widths[1][lane], lean[lane]) = (piece.radius, piece.slope, piece.lean);
+    let last = row.width().min(first + LANES);
+    let (codes, middle) = (&row.code[first..last], |pixel: usize| pixel as i32 * UNIT as i32 + UNIT as i32 / 2);
+    let one = codes[0] / CODES;
+    if let (true, Some(near)) = (is_one(codes, one), row.page.near.get(one as usize)) {
+        // Most pixels beside each other have the same nearest piece.
+        dy = [middle(row.y).wrapping_sub(near.start[1]) as f32 * PART; LANES];
+        for (lane, dx) in dx.iter_mut().enumerate() {
+            *dx = middle(first + lane).wrapping_sub(near.start[0]) as f32 * PART;
         }
-        ground.distance[lane] = row.distance[x];
+        (along, length) = (near.along.map(|part| [part; LANES]), [near.length; LANES]);
+        (widths, lean) = ([[near.radius; LANES], [near.slope; LANES]], [near.lean; LANES]);
+    } else {
+        for (lane, (x, &code)) in (first..last).zip(codes).enumerate() {
+            if let Some(near) = row.page.near.get((code / CODES) as usize) {
+                dx[lane] = middle(x).wrapping_sub(near.start[0]) as f32 * PART;
+                dy[lane] = middle(row.y).wrapping_sub(near.start[1]) as f32 * PART;
+                (along[0][lane], along[1][lane], length[lane]) = (near.along[0], near.along[1], near.length);
+                (widths[0][lane], widths[1][lane], lean[lane]) = (near.radius, near.slope, near.lean);
+            } else if let Some(piece) = row.piece(x) {
+                [dx[lane], dy[lane]] = row.offset(x, piece);
+                (along[0][lane], along[1][lane], length[lane]) = (piece.along[0], piece.along[1], piece.length);
+                (widths[0][lane], widths[1][lane], lean[lane]) = (piece.radius, piece.slope, piece.lean);
+            }
+        }
     }
+    ground.distance[..codes.len()].copy_from_slice(&row.distance[first..last]);
     for lane in 0..LANES {
         let [u, v] = [along[0][lane], along[1][lane]];
         let foot = Foot::new(dx[lane], dy[lane], [u, v], length[lane], [widths[0][lane], widths[1][lane]], lean[lane]);
@@ -208,4 +230,10 @@ fn find(row: &Row<'_>, first: usize, ground: &mut Ground, slopes: bool) {
         ground.grows[0][lane] = grows * (u + lean * v);
         ground.grows[1][lane] = grows * (v - lean * u);
     }
+}
+
+/// Whether all codes are those of one piece.
+#[inline(always)]
+fn is_one(codes: &[u32], place: u32) -> bool {
+    codes.iter().fold(true, |all, &code| all & (code / CODES == place))
 }

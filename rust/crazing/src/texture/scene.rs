@@ -4,8 +4,9 @@ use std::sync::OnceLock;
 
 use pulp::Arch;
 
-use super::around::{self, Cut, LEVELS};
+use super::around::{LEVELS, Wanted, cut};
 use super::bands::Bands;
+use super::bins::Bins;
 use super::fans::Fans;
 use super::grid::{Grid, UNIT, Window};
 use super::look::Look;
@@ -13,9 +14,10 @@ use super::maps::Maps;
 use super::material::Material;
 use super::nearest::Set;
 use super::noise::{self, Ground, Noise};
+use super::piece::Piece;
 use super::plates::{self, Plate, Sides};
 use super::profile::Profile;
-use super::{BAND, Pattern, labels};
+use super::{Pattern, labels};
 use crate::crew;
 use crate::error::Result;
 use crate::rng::Key;
@@ -76,7 +78,7 @@ impl Wants {
     }
 
     fn grain(&self, material: &Material) -> bool {
-        let shown = material.speckle != 0.0 || material.roughness_spread != 0.0;
+        let shown = [material.speckle, material.roughness_spread, material.debris] != [0.0; 3];
         (self.profile && material.grain != 0.0) || (self.look && shown)
     }
 }
@@ -92,9 +94,12 @@ pub(super) struct Scene<'a> {
     pub(super) sides: Sides<'a>,
     pub(super) grid: Grid,
     pub(super) window: Window,
+    /// What is searched; nothing where no map needs that.
     pub(super) near: Set,
-    /// What covers the mask, where it is wanted.
-    pub(super) bands: Option<Bands>,
+    /// The pieces in parts, where they are not searched.
+    parts: Vec<Vec<Piece>>,
+    /// What covers the mask, where it is wanted: by parts.
+    bands: Vec<Bands>,
     /// Ever more of what lies around, made when what lies nearer is not enough.
     pub(super) far: [OnceLock<Result<Set>>; LEVELS],
     pub(super) profile: Profile,
@@ -135,13 +140,14 @@ impl<'a> Scene<'a> {
         let octaves = |on: bool, kind: u64, pitch: f32, count: u64| {
             if on { noise::octaves(ground, kind, f64::from(pitch) * grid.scale, count) } else { Vec::new() }
         };
-        let (near, bands, fans) = asked.sort(wants, wants.plates(material), threads, watch)?;
+        let Sorted { near, parts, bands, fans } = asked.sort(wants, wants.plates(material), threads, watch)?;
         Ok(Self {
             pattern,
             sides,
             grid,
             window,
             near,
+            parts,
             bands,
             far: Default::default(),
             reach: if wants.everywhere() || !plain { f32::INFINITY } else { profile.reach.max(labels::REACH) },
@@ -165,31 +171,48 @@ impl<'a> Scene<'a> {
     }
 }
 
+/// The edges as they are looked at.
+struct Sorted {
+    near: Set,
+    parts: Vec<Vec<Piece>>,
+    bands: Vec<Bands>,
+    fans: Option<Fans>,
+}
+
+impl Scene<'_> {
+    /// What covers the rows of a band: pieces, and which of them.
+    pub(super) fn covering(&self, band: usize) -> impl Iterator<Item = (&[Piece], &[u32])> {
+        let mut rest = &self.near.pieces[..];
+        self.bands.iter().enumerate().map(move |(nth, bands)| {
+            let own = self.parts.get(nth).map_or_else(
+                || {
+                    let (own, others) = rest.split_at(bands.count);
+                    rest = others;
+                    own
+                },
+                |part| &part[..],
+            );
+            (own, bands.of(band))
+        })
+    }
+}
+
 impl Asked<'_> {
-    /// Sorts the edges: into bins, into bands where the mask is wanted, and around their vertices where plates are.
-    fn sort(
-        &self,
-        wants: Wants,
-        plates: bool,
-        threads: usize,
-        watch: Watch<'_>,
-    ) -> Result<(Set, Option<Bands>, Option<Fans>)> {
+    /// Sorts the edges: into bands where the mask is wanted, into bins, and around their vertices where plates are.
+    fn sort(&self, wants: Wants, plates: bool, threads: usize, watch: Watch<'_>) -> Result<Sorted> {
         let Self { pattern, sides, grid, window, .. } = self;
         let several = plates && sides.reaches.len() > 1;
         // Few edges are not worth waking a thread.
         let threads = if pattern.edges.len() < WORTHWHILE { 1 } else { threads };
-        let (cut, fans) = crew::both(
+        let wanted = Wanted { pattern: *pattern, grid: *grid, window: *window, level: 0, bands: wants.mask };
+        let mut cut = cut(wanted, threads, watch)?;
+        let empty = || Ok(Set { pieces: Vec::new(), bins: Bins::none(), whole: true });
+        let (near, fans) = crew::both(
             threads,
-            || around::cut(pattern, grid, *window, 0, watch),
+            || if wants.nearest() { cut.set() } else { empty() },
             || several.then(|| Fans::new(pattern, grid)).transpose(),
         );
-        let cut: Cut = cut?;
-        let (bins, bands) = crew::both(
-            threads,
-            || cut.bins(wants.nearest()),
-            || wants.mask.then(|| Bands::new(&cut.pieces, *window, BAND)).transpose(),
-        );
-        Ok((Set { bins: bins?, pieces: cut.pieces, whole: cut.whole }, bands?, fans?))
+        Ok(Sorted { near: near?, parts: cut.parts, bands: cut.bands, fans: fans? })
     }
 }
 

@@ -113,7 +113,7 @@ pub fn unit(bounds: [f64; 4], n: usize) -> f64 {
 pub const HARD: Straightening = Straightening { rounds: 6, pull: 1.0, slide: 1.0, clamp: 0.02 };
 
 pub fn rough_of(net: &Net, partner: &[i32], fence: &Fence, unit: f64, seed: u64) -> Rough {
-    let how = Roughness { amplitude: 0.6, hurst: 0.4, unit, grain: 0.2 * unit };
+    let how = Roughness { amplitude: 0.6, hurst: 0.4, unit, grain: 0.2 * unit, rounding: 0.0 };
     roughen(net.view(), partner, fence.view(), how, [seed, 2], Watch::default()).unwrap()
 }
 

@@ -1,0 +1,105 @@
+"""Diagrams that have every side of given rings, and what lies within rings that touch."""
+
+from __future__ import annotations
+
+from itertools import pairwise, product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from crazing import _core
+from crazing.diagram import Diagram, diagram
+from crazing.polygons import Ring
+
+#: Rounds of halving boundary edges that the triangulation lacks; each halves the gap that can be told apart.
+ROUNDS = 24
+#: Rounds that plain polygons need, and so many times their points in all; more is a reason to look for faults.
+QUICK, GROWTH = 8, 4
+#: Points that all rounds together may take, whatever there were at first: more is a wait of a minute.
+CROWD = 4_000_000
+
+Mask = NDArray[np.bool_]
+
+
+def conforming(rings: list[Ring], rounds: int) -> tuple[Diagram, Mask, list[Ring]] | None:
+    """A diagram that has every side of the rings, which of its edges these are, and the rings as they were halved.
+
+    None if it takes more rounds, or too many points: the rings cross, overlap, or nearly touch.
+    """
+    total = sum(map(len, rings))
+    left = GROWTH * total + 4000 if rounds == QUICK else max(rounds * total // 2, CROWD)
+    for _ in range(rounds):
+        found = diagram(np.concatenate(rings))
+        starts = np.cumsum([0, *map(len, rings)])
+        ends = np.concatenate([np.roll(np.arange(a, b), -1) for a, b in pairwise(starts)])
+        sides = _keys(np.column_stack([found.site_of, found.site_of[ends]]))
+        edges = _keys(found.edges)
+        sorted_sides = np.sort(sides)
+        # Several times faster than asking NumPy twice what is in what.
+        boundary = sorted_sides[np.searchsorted(sorted_sides[:-1], edges)] == edges
+        if np.count_nonzero(boundary) == len(sides):
+            return found, boundary, rings
+        # By sorting: NumPy hashes to tell what is in what, and takes ten times as long.
+        edges.sort()
+        missing = edges[np.searchsorted(edges[:-1], sides)] != sides
+        if not missing.any():
+            return found, boundary, rings
+        pieces = np.split(missing, starts[1:-1])
+        rings = [_halved(ring, part) for ring, part in zip(rings, pieces, strict=True)]
+        left -= total
+        total = sum(map(len, rings))
+        if total > left:
+            break
+    return None
+
+
+def is_touched(found: Diagram, boundary: Mask) -> bool:
+    """Whether any site has not two sides: rings meet there, or one passes through it twice."""
+    return bool((np.bincount(found.edges[boundary].ravel(), minlength=len(found.sites)) != 2).any())
+
+
+def within(found: Diagram, boundary: Mask, rings: list[Ring]) -> tuple[Mask, NDArray[np.float64]]:
+    """Whether each dual edge is inside rings that may touch, and its arc residual.
+
+    A site where rings touch stands in several places; the residual is the least between any two of them.
+    """
+    depth = np.append(_core.depths(found.arrays, boundary), 0)
+    inside = (depth[found.dual_edges] % 2 == 1).all(axis=1) & ~boundary
+    along, length, ring_of = _travelled(rings)
+    order = np.argsort(found.site_of, kind="stable")
+    first = np.searchsorted(found.site_of[order], np.arange(len(found.sites) + 1))
+
+    def residual(rows: NDArray[np.intp], others: NDArray[np.intp]) -> NDArray[np.float64]:
+        way = np.abs(along[rows] - along[others]) / length[rows]
+        return np.where(ring_of[rows] == ring_of[others], np.minimum(way, 1 - way), np.inf)
+
+    result = residual(*order[first[found.edges]].T)
+    several = np.diff(first) > 1
+    for k in np.flatnonzero(several[found.edges].any(axis=1) & inside).tolist():
+        places = np.array([*product(*(order[first[site] : first[site + 1]] for site in found.edges[k]))])
+        result[k] = residual(*places.T).min()
+    return inside, result
+
+
+def _travelled(rings: list[Ring]) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
+    """Of every row, ring after ring: how far along its ring it stands, the length of that ring, and which it is."""
+    sizes = [len(ring) for ring in rings]
+    steps = [side_lengths(ring) for ring in rings]
+    along = np.concatenate([np.cumsum(step) - step for step in steps])
+    return along, np.repeat([step.sum() for step in steps], sizes), np.repeat(np.arange(len(rings)), sizes)
+
+
+def side_lengths(ring: Ring) -> NDArray[np.float64]:
+    """(k,), the length of every side of a ring, from each corner to the next."""
+    return np.asarray(np.hypot(*(np.roll(ring, -1, axis=0) - ring).T))
+
+
+def _halved(ring: Ring, sides: Mask) -> Ring:
+    middle = ring + 0.5 * (np.roll(ring, -1, axis=0) - ring)
+    return np.insert(ring, np.flatnonzero(sides) + 1, middle[sides], axis=0)
+
+
+def _keys(ends: NDArray[np.int32]) -> NDArray[np.int64]:
+    """One number an edge, the same in both directions."""
+    sorted_ends = np.sort(ends, axis=1).astype(np.int64)
+    return np.asarray(sorted_ends[:, 0] << 32 | sorted_ends[:, 1])

@@ -1,0 +1,121 @@
+"""Polygons with holes, from whatever describes some: one reader for all that take them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from crazing.arguments import found, points_array
+
+#: A ring of corners, (k, 2); the first may be repeated at the end.
+Ring = NDArray[np.float64]
+
+#: Where the members of a collection stand, in GeoJSON.
+_COLLECTIONS = {"FeatureCollection": "features", "GeometryCollection": "geometries"}
+
+WANTED = "Polygon, MultiPolygon, or a Feature or collection of them"
+
+
+def polygons(shape: Any, name: str) -> list[list[Ring]]:
+    """The polygons that `shape` describes, each a shell and its holes.
+
+    An object with `__geo_interface__` (of shapely, of GeoPandas) or a GeoJSON mapping, or a list of such; a ring; a
+    shell and a list of its holes; or a list of rings, which become a polygon each: what is inside follows from the
+    number of rings around it. Heights and features without a geometry are left out.
+
+    Examples
+    --------
+    >>> from crazing.polygons import polygons
+    >>> [[len(ring) for ring in polygon] for polygon in polygons({"type": "MultiPolygon", "coordinates": []}, "shape")]
+    []
+    >>> len(polygons([(0, 0), (4, 0), (4, 4)], "shape")[0][0])
+    3
+    """
+    if _is_geometry(shape):
+        return list(_of_geometry(shape, name))
+    is_row = isinstance(shape, Sequence) and not isinstance(shape, (str, bytes))
+    if not is_row and not hasattr(shape, "__array__"):
+        raise TypeError(f"{name} is {found(shape)}; a polygon, a ring or a list of them is wanted")
+    if not is_row:
+        shape = np.asarray(shape)
+    if not (is_row or shape.dtype.kind == "O") or not len(shape):
+        return [[points_array(shape, name)]]
+    if _is_geometry(shape[0]):
+        return [polygon for row, part in enumerate(shape) for polygon in _of_member(part, f"{name}[{row}]")]
+    if len(shape) == 2 and _is_row_of_rings(shape[1]):
+        return [[points_array(shape[0], "shell"), *(points_array(h, f"holes[{i}]") for i, h in enumerate(shape[1]))]]
+    if _depth(shape[0]) == 2:
+        return [[points_array(ring, f"{name}[{row}]")] for row, ring in enumerate(shape)]
+    return [[points_array(shape, name)]]
+
+
+def _is_geometry(value: Any) -> bool:
+    return isinstance(value, Mapping) or hasattr(value, "__geo_interface__")
+
+
+def _depth(value: Any) -> int:
+    """How many brackets deep a number stands, by the first ones."""
+    deep = 0
+    while isinstance(value, (Sequence, np.ndarray)) and not isinstance(value, (str, bytes)) and deep < 4:
+        if isinstance(value, np.ndarray):
+            return deep + value.ndim
+        deep, value = deep + 1, value[0] if len(value) else None
+    return deep
+
+
+def _is_row_of_rings(value: Any) -> bool:
+    """Whether this is a list of holes; one of no hole is empty."""
+    return isinstance(value, (Sequence, np.ndarray)) and (len(value) == 0 or _depth(value) == 3)
+
+
+def _of_member(part: Any, name: str) -> Iterator[list[Ring]]:
+    if not _is_geometry(part):
+        raise TypeError(f"{name} is {found(part)}; a polygon as those before it is wanted")
+    return _of_geometry(part, name)
+
+
+def _of_geometry(shape: Any, name: str) -> Iterator[list[Ring]]:
+    """Polygon after polygon, without recursion: nesting is the file's choice."""
+    left = [shape]
+    while left:
+        node = getattr(left[-1], "__geo_interface__", left[-1])
+        left.pop()
+        if node is None:  # A feature without a geometry.
+            continue
+        kind = node.get("type") if isinstance(node, Mapping) else None
+        if kind == "Feature":
+            left.append(node.get("geometry"))
+        elif isinstance(kind, str) and kind in _COLLECTIONS:
+            left.extend(reversed(_members(node, _COLLECTIONS[kind], name)))
+        elif kind == "MultiPolygon":
+            for row, rings in enumerate(_members(node, "coordinates", name)):
+                if not isinstance(rings, (Sequence, np.ndarray)) or isinstance(rings, str):
+                    raise ValueError(f"polygon {row} of {name} is {found(rings)}; a list of rings is wanted")
+                if len(rings):
+                    yield [*_rings(rings, name)]
+        elif kind in ("Polygon", "LinearRing"):
+            rings = _members(node, "coordinates", name)
+            if len(rings):
+                yield [*_rings([rings] if kind == "LinearRing" else rings, name)]
+        else:
+            raise ValueError(f"{name} is a geometry of type {found(kind)}; {WANTED} is wanted")
+
+
+def _members(node: Mapping[str, Any], word: str, name: str) -> list[Any]:
+    members = node.get(word)
+    if not isinstance(members, (Sequence, np.ndarray)) or isinstance(members, (str, bytes)):
+        raise ValueError(f"{name} is a {node['type']} whose {word} are {found(members)}; a list is wanted")
+    return list(members)
+
+
+def _rings(rings: Any, name: str) -> Iterator[Ring]:
+    for row, ring in enumerate(rings):
+        try:
+            # A third coordinate is a height.
+            places = [point[:2] for point in ring]
+        except (TypeError, IndexError, KeyError):
+            raise ValueError(f"ring {row} of {name} is {found(ring)}; a list of positions is wanted") from None
+        yield points_array(places, f"ring {row} of {name}")

@@ -1,0 +1,28 @@
+//! Numbers that cracks wander by.
+
+use crate::quantile;
+use crate::rng::{Key, block, open_unit, stream};
+
+/// Standard normal numbers, one of its own for every place on an edge.
+pub(super) struct Noise {
+    key: Key,
+    edge: u64,
+    level: u64,
+    block: u64,
+    words: [u64; 4],
+}
+
+impl Noise {
+    pub(super) fn of(key: Key, edge: usize, level: u64) -> Self {
+        let words = block(key, [edge as u64, 0, stream::ROUGHNESS, level]);
+        Self { key, edge: edge as u64, level, block: 0, words }
+    }
+
+    pub(super) fn at(&mut self, index: usize) -> f64 {
+        if index as u64 / 4 != self.block {
+            self.block = index as u64 / 4;
+            self.words = block(self.key, [self.edge, self.block, stream::ROUGHNESS, self.level]);
+        }
+        quantile::normal(open_unit(self.words[index % 4]))
+    }
+}

@@ -1,0 +1,63 @@
+"""What a material looks like, in its colours and under a lamp."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+import crazing as cz
+from test_texture import lines
+
+
+def test_black_cracks_stay_black_under_the_lamp():
+    """A rough surface mirrors some hundredth of the light: F / 4 for Blinn's facets, over the lamp's own cosine."""
+    black = cz.Material(
+        plate=["#000"], crack="#000", dirt="#000", worn="#000", relief=0, roughness=1, roughness_spread=0
+    )
+    lit = cz.texture(lines([[0, 0, 1, 1]], [[0.1, 0.1]]), 16, maps="all", material=black).lit(light=(0, 0, 1))
+    sent = (lit / 255 / 12.92).max() if lit.max() <= 10 else (((lit / 255 + 0.055) / 1.055) ** 2.4).max()
+    assert 0.002 < sent <= 0.015
+
+
+def test_debris_lies_in_cracks_only():
+    net = cz.crack(n=60, width=0.06, rng=2)
+    clean = cz.Material(crack="#000", dirt="#fff", dirt_amount=0, wear=0)
+    bare = cz.texture(net, 96, maps=["color", "mask"], material=clean, seed=1)
+    littered = cz.texture(net, 96, maps=["color"], material=dataclasses.replace(clean, debris=1), seed=1)["color"]
+    outside = bare["mask"] == 0
+    np.testing.assert_array_equal(littered[outside], bare["color"][outside])
+    inside = bare["mask"] == 255
+    assert (littered[inside] >= bare["color"][inside]).all() and np.ptp(littered[inside].astype(int)) > 100
+
+
+def test_a_plate_around_a_torus_is_level():
+    """It has no middle to tilt about: it would meet itself in a step."""
+    tilted = cz.Material(tilt=1, level=0, grain=0, curl=0, rim=0, relief=1)
+    drawing = cz.steps.impact(200, period=(1, 1), source=(0.5, 0.5), rng=1)
+    star = cz.steps.widen(drawing, width=0.004)
+    maps = cz.texture(star, 128, maps=["normal", "cell"], material=tilted, seed=3)
+    border = maps["cell"][0]
+    assert (border == border[0]).all()
+    np.testing.assert_allclose(maps["normal"][0], [[0, 0, 1]] * 128, atol=1e-6)
+    assert (maps["normal"][..., 2] < 0.999).mean() > 0.05
+
+
+def test_a_map_that_is_not_there_is_named():
+    t = cz.texture(lines([[0, 0, 1, 1]], [[0.1, 0.1]]), 8, maps=["height", "mask"])
+    with pytest.raises(KeyError, match=r"no map 'hieght' .did you mean 'height'"):
+        t["hieght"]
+    assert "color" not in t and t.get("color") is None
+
+
+@pytest.mark.parametrize("width", [1, 2, 3, 7, 8, 9])
+def test_narrow_pictures_are_cut_from_wide_ones(width):
+    c = cz.preset("bark").crack(rng=7)
+    maps = ["mask", "color", "height", "normal", "cell"]
+    wide = cz.texture(c, 64, maps=maps, material="bark", seed=1)
+    for left in (0, 40, 64 - width):
+        bounds = (left / 64, 0, (left + width) / 64, 1)
+        narrow = cz.texture(c, (64, width), maps=maps, material="bark", seed=1, bounds=bounds)
+        for name in maps:
+            np.testing.assert_array_equal(narrow[name], wide[name][:, left : left + width], err_msg=name)
