@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from crazing import sample, steps
+from crazing import _core, sample, steps
 from crazing.arguments import bounds_tuple, number, real_array
 from crazing.diagram import Diagram, as_tiling
 from crazing.drawing import fenced
@@ -242,10 +242,6 @@ def _steady(values: Any) -> Any:
 
 def _spacing(diagram: Diagram) -> float:
     """The median length of the Delaunay edges: the mean would follow far outliers."""
-    if not len(diagram.edges):
-        return 0.0
-    ends = diagram.sites[diagram.edges]
-    step = ends[:, 1] - ends[:, 0]
-    if diagram.period is not None:
-        step = step + diagram.shifts * np.asarray(diagram.period)
-    return float(np.median(np.hypot(*step.T)))
+    if diagram.period is None:
+        return _core.crack_spacing(diagram.sites, diagram.edges, np.empty((0, 2), dtype=np.int8), (0.0, 0.0))
+    return _core.crack_spacing(diagram.sites, diagram.edges, np.ascontiguousarray(diagram.shifts), diagram.period)

@@ -476,7 +476,8 @@ def roughen(
     True
     """
     unit = arguments.number(unit, "unit", low=0)
-    net, partner, origin = _core.crack_roughen(
+    # Pieces have no room of their own: a rough drawing takes no more steps that move it.
+    net, fence, partner, origin = _core.crack_roughen(
         drawing.net,
         drawing.partner,
         drawing.fence,
@@ -487,10 +488,6 @@ def roughen(
         arguments.number(rounding, "rounding", low=0, high=1),
         key(rng),
     )
-    # Pieces have no room of their own: a rough drawing takes no more steps that move it.
-    nothing = np.full((len(net[1]), 2), -1, dtype=np.int32)
-    kites = np.ascontiguousarray(np.concatenate([net[1], nothing], axis=1))
-    fence = np.empty((0, 2)), kites, np.zeros((len(kites) if any(net[3]) else 0, 6), dtype=np.int8)
     age = drawing.age[origin] if len(drawing.age) else drawing.age
     return Drawing(*net, drawing.bounds, fence, partner, age)
 

@@ -3,9 +3,7 @@
 pub(crate) mod branches;
 
 use crazing::Point;
-use crazing::crack::{
-    self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Roughness, Splitting, Straightening,
-};
+use crazing::crack::{self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Splitting, Straightening};
 use crazing::rng::Key;
 use crazing::sample::Density;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
@@ -94,6 +92,20 @@ pub(crate) fn crack_walls_on_torus<'py>(
     Ok((net_out(py, found.net)?, fence_out(py, found.fence)?))
 }
 
+/// The median length of the edges of a diagram; `shifts` has no rows in the plane.
+#[pyfunction]
+pub(crate) fn crack_spacing(
+    py: Python<'_>,
+    sites: PyReadonlyArray2<'_, f64>,
+    edges: PyReadonlyArray2<'_, i32>,
+    shifts: PyReadonlyArray2<'_, i8>,
+    period: [f64; 2],
+) -> PyResult<f64> {
+    let (sites, edges, shifts) = (rows(&sites)?, rows(&edges)?, rows(&shifts)?);
+    checked(crazing::graph::check_indices("edges", edges, 0, sites.len()))?;
+    detached(py, |_| Ok(crack::spacing(sites, edges, shifts, period)))
+}
+
 /// The end that each edge end continues into.
 #[pyfunction]
 pub(crate) fn crack_pairs<'py>(py: Python<'py>, net: NetArrays<'py>, sharpest: f64) -> PyResult<Row<'py, i32>> {
@@ -133,29 +145,6 @@ pub(crate) type AgedOut<'py> = (NetOut<'py>, FenceOut<'py>, Row<'py, i32>, Row<'
 fn aged_out(py: Python<'_>, aged: Aged) -> PyResult<AgedOut<'_>> {
     let [partner, age] = [aged.partner, aged.age].map(|entries| PyArray1::from_vec(py, entries));
     Ok((net_out(py, aged.net)?, fence_out(py, aged.fence)?, partner, age))
-}
-
-/// The rough drawing, its partners, and the edge that each piece is of.
-#[pyfunction]
-#[allow(clippy::too_many_arguments, reason = "the face passes them one by one")]
-pub(crate) fn crack_roughen<'py>(
-    py: Python<'py>,
-    net: NetArrays<'py>,
-    partner: PyReadonlyArray1<'py, i32>,
-    fence: FenceArrays<'py>,
-    amplitude: f64,
-    hurst: f64,
-    unit: f64,
-    grain: f64,
-    rounding: f64,
-    key: Key,
-) -> PyResult<(NetOut<'py>, Row<'py, i32>, Row<'py, i32>)> {
-    let net = net.view()?;
-    let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);
-    let how = Roughness { amplitude, hurst, unit, grain, rounding };
-    let rough = detached(py, |watch| crack::roughen(net, partner, fence, how, key, watch))?;
-    let [partner, origin] = [rough.partner, rough.origin].map(|entries| PyArray1::from_vec(py, entries));
-    Ok((net_out(py, rough.net)?, partner, origin))
 }
 
 /// The vertices after a smooth warp.
@@ -285,11 +274,11 @@ pub(crate) fn crack_widths<'py>(
     let (net, profile) = (net.view()?, widths.profile());
     let partner = ends(&partner, net)?;
     let age = age.as_slice().unwrap_or_default();
-    let (widths, strands) = detached(py, |_| {
+    let (widths, strands, parent) = detached(py, |_| {
         let strands = crack::strands(net, partner, age);
-        Ok((crack::widths(net, &strands, profile, key)?, strands))
+        let parent = strands.of_edge.iter().map(|&strand| strands.parent[strand as usize]).collect();
+        Ok((crack::widths(net, &strands, profile, key)?, strands, parent))
     })?;
-    let parent = strands.of_edge.iter().map(|&strand| strands.parent[strand as usize]).collect();
     let [strand, generation, parent] =
         [strands.of_edge, strands.generation, parent].map(|entries| PyArray1::from_vec(py, entries));
     Ok((table(py, widths)?, strand, generation, parent))

@@ -24,10 +24,10 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::crack::branches::{crack_parted, crack_stubs};
+    use crate::crack::branches::{crack_parted, crack_roughen, crack_stubs};
     #[pymodule_export]
     use crate::crack::{
-        crack_arrivals, crack_impact, crack_pairs, crack_roughen, crack_split, crack_straighten, crack_trim,
+        crack_arrivals, crack_impact, crack_pairs, crack_spacing, crack_split, crack_straighten, crack_trim,
         crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
     };
     #[pymodule_export]

@@ -10,19 +10,29 @@ pub struct Incidence {
 impl Incidence {
     /// Sorts the rows of `table` by the indices below `count` that they hold; others are passed over. Linear.
     pub fn of<const N: usize>(count: usize, table: &[[i32; N]]) -> Self {
-        let is_below = |index: i32| index >= 0 && (index as usize) < count;
+        Self::of_rows(count, || table.iter().enumerate().map(|(row, &entries)| (row as u32, entries)))
+    }
+
+    /// The same of some rows, ascending, which are gone through twice.
+    pub(crate) fn of_rows<const N: usize, I: Iterator<Item = (u32, [i32; N])>>(
+        count: usize,
+        rows_in_turn: impl Fn() -> I,
+    ) -> Self {
+        let is_below = |index: &i32| *index >= 0 && (*index as usize) < count;
         let mut starts = vec![0_u32; count + 2];
-        for &index in table.iter().flatten().filter(|&&index| is_below(index)) {
-            starts[index as usize + 2] += 1;
+        for (_, entries) in rows_in_turn() {
+            for index in entries.into_iter().filter(is_below) {
+                starts[index as usize + 2] += 1;
+            }
         }
         for i in 2..starts.len() {
             starts[i] += starts[i - 1];
         }
         let mut rows = vec![0; starts[count + 1] as usize];
-        for (row, entries) in table.iter().enumerate() {
-            for &index in entries.iter().filter(|&&index| is_below(index)) {
+        for (row, entries) in rows_in_turn() {
+            for index in entries.into_iter().filter(is_below) {
                 let next = &mut starts[index as usize + 1];
-                rows[*next as usize] = row as u32;
+                rows[*next as usize] = row;
                 *next += 1;
             }
         }

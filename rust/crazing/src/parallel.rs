@@ -139,8 +139,22 @@ pub(crate) fn first(len: usize, f: impl Fn(usize) -> bool + Sync + Send) -> Opti
     )
 }
 
+/// Slices of so many items each, one after the other.
+pub(crate) fn shared<T>(mut all: &mut [T], counts: impl Iterator<Item = usize>) -> impl Iterator<Item = &mut [T]> {
+    counts.map(move |count| {
+        let (part, rest) = std::mem::take(&mut all).split_at_mut(count);
+        all = rest;
+        part
+    })
+}
+
+/// `f` of each of some parts that hold `len` items in all, in any order.
+pub(crate) fn parts<P: Send>(len: usize, parts: Vec<P>, f: impl Fn(P) + Sync + Send) {
+    choose(len, (parts, f), |(parts, f)| parts.into_iter().for_each(f), |(parts, f)| parts.into_par_iter().for_each(f));
+}
+
 /// Sorts; equal keys cannot be told apart, so the result does not depend on the number of threads.
-pub(crate) fn sort(keys: &mut [u64]) {
+pub(crate) fn sort<T: Ord + Send>(keys: &mut [T]) {
     choose(keys.len(), keys, |keys| keys.sort_unstable(), |keys| keys.par_sort_unstable());
 }
 

@@ -74,7 +74,7 @@ proptest! {
             }
             let found = strands(net.view(), partner, &[]);
             let mut seen = vec![0; net.edges.len()];
-            for (strand, run) in found.starts.windows(2).map(|pair| &found.entries[pair[0]..pair[1]]).enumerate() {
+            for (strand, run) in (0..found.run.len()).map(|strand| found.along(strand)).enumerate() {
                 for &entry in run {
                     seen[entry as usize / 2] += 1;
                     prop_assert_eq!(found.of_edge[entry as usize / 2], strand as i32);
@@ -89,7 +89,7 @@ proptest! {
                     prop_assert_eq!(generation, 0);
                     continue;
                 }
-                let older = &found.entries[found.starts[parent as usize]..found.starts[parent as usize + 1]];
+                let older = found.along(parent as usize);
                 prop_assert_eq!(generation, found.generation[older[0] as usize / 2] + 1);
                 let tips = [run[0], run[run.len() - 1] ^ 1].map(|end| net.view().vertex(end));
                 prop_assert!(older.iter().any(|&end| [end, end ^ 1].iter().any(|&e| tips.contains(&net.view().vertex(e)))));

@@ -1,6 +1,6 @@
-//! Steps of a crack that add or leave out edges.
+//! Steps of a crack that add, divide or leave out edges.
 
-use crazing::crack::{self, Stubs};
+use crazing::crack::{self, Fence, Roughness, Stubs};
 use crazing::rng::Key;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -40,4 +40,31 @@ pub(crate) fn crack_parted<'py>(
     let partner = ends(&partner, net)?;
     let stays = detached(py, |watch| crack::parted(net, partner, sharpest, reach, watch))?;
     Ok(PyArray1::from_vec(py, stays))
+}
+
+/// The rough drawing, a fence that nothing can move behind, its partners, and the edge that each piece is of.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the face passes them one by one")]
+pub(crate) fn crack_roughen<'py>(
+    py: Python<'py>,
+    net: NetArrays<'py>,
+    partner: PyReadonlyArray1<'py, i32>,
+    fence: FenceArrays<'py>,
+    amplitude: f64,
+    hurst: f64,
+    unit: f64,
+    grain: f64,
+    rounding: f64,
+    key: Key,
+) -> PyResult<AgedOut<'py>> {
+    let net = net.view()?;
+    let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);
+    let how = Roughness { amplitude, hurst, unit, grain, rounding };
+    let (rough, fence) = detached(py, |watch| {
+        let rough = crack::roughen(net, partner, fence, how, key, watch)?;
+        let fence = Fence::shut(rough.net.view());
+        Ok((rough, fence))
+    })?;
+    let [partner, origin] = [rough.partner, rough.origin].map(|entries| PyArray1::from_vec(py, entries));
+    Ok((net_out(py, rough.net)?, fence_out(py, fence)?, partner, origin))
 }

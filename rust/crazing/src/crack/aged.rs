@@ -1,7 +1,7 @@
 //! Drawings whose cracks know their age, and trimming them to bounds.
 
 use super::fence::Fence;
-use super::net::{NONE, Net};
+use super::net::{Ends, NONE, Net};
 use crate::clip::{Bounds, check_bounds};
 use crate::error::Result;
 use crate::graph::Point;
@@ -21,22 +21,21 @@ pub struct Aged {
 
 /// Ends of one age at one vertex continue each other.
 pub(super) fn by_age(net: &Net, age: &[i32]) -> Vec<i32> {
-    let mut waiting: Vec<(i32, i32, u32)> = Vec::new();
-    for (k, edge) in net.edges.iter().enumerate() {
-        waiting.push((edge[0], age[k], 2 * k as u32));
-        waiting.push((edge[1], age[k], 2 * k as u32 + 1));
-    }
-    waiting.sort_unstable();
+    let ends = Ends::of(net.view());
     let mut partner = vec![NONE; 2 * net.edges.len()];
-    let mut i = 0;
-    while i + 1 < waiting.len() {
-        let (a, b) = (waiting[i], waiting[i + 1]);
-        if (a.0, a.1) == (b.0, b.1) {
-            partner[a.2 as usize] = b.2 as i32;
-            partner[b.2 as usize] = a.2 as i32;
-            i += 1;
+    let mut waiting: Vec<(i32, u32)> = Vec::new();
+    for vertex in 0..net.vertices.len() {
+        waiting.clear();
+        waiting.extend(ends.at(vertex).iter().map(|&end| (age[end as usize / 2], end)));
+        waiting.sort_unstable();
+        let mut rest = &waiting[..];
+        while let [(old, a), (young, b), ..] = *rest {
+            rest = &rest[if old == young { 2 } else { 1 }..];
+            if old == young {
+                partner[a as usize] = b as i32;
+                partner[b as usize] = a as i32;
+            }
         }
-        i += 1;
     }
     partner
 }

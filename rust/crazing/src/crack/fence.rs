@@ -4,7 +4,7 @@
 //! The law behind it: triangles that are all counter-clockwise, and whose outline does not move, pave the same region
 //! as before, each point once. Edges are sides of triangles, so they cannot meet but at their ends.
 
-use super::net::NetView;
+use super::net::{NONE, NetView};
 use crate::diagram::scale::{Scale, largest};
 use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};
@@ -44,6 +44,12 @@ pub struct FenceView<'a> {
 }
 
 impl Fence {
+    /// A fence without room: no vertex of the drawing moves.
+    pub fn shut(net: NetView<'_>) -> Self {
+        let kites = net.edges.iter().map(|&[a, b]| [a, b, NONE, NONE]).collect();
+        Self { anchors: Vec::new(), kites, shifts: vec![[0; 6]; net.shifts.len()] }
+    }
+
     /// Borrows the arrays.
     pub fn view(&self) -> FenceView<'_> {
         FenceView { anchors: &self.anchors, kites: &self.kites, shifts: &self.shifts }
@@ -56,7 +62,7 @@ impl FenceView<'_> {
     /// # Errors
     /// [`Error::BadIndex`], [`Error::BadLength`], [`Error::Inconsistent`].
     pub fn check(&self, net: NetView<'_>) -> Result<()> {
-        check_indices("kites", self.kites, NONE_LEFT, net.vertices.len() + self.anchors.len())?;
+        check_indices("kites", self.kites, NONE, net.vertices.len() + self.anchors.len())?;
         if self.kites.len() < net.edges.len() {
             return Err(Error::BadLength { array: "kites", found: self.kites.len(), wanted: net.edges.len() });
         }
@@ -71,8 +77,6 @@ impl FenceView<'_> {
     }
 }
 
-const NONE_LEFT: i32 = -1;
-
 /// A part of the way.
 #[inline]
 fn part_of(part: f64, from: Point, to: Point) -> Point {
@@ -86,7 +90,8 @@ pub(super) struct Guard<'a> {
     scale: Scale,
     /// Vertices, then anchors, in the unit of exact work.
     points: Vec<Point>,
-    at: Incidence,
+    /// Where they are to be; kept for its memory.
+    goals: Vec<Point>,
     movable: usize,
     /// No coordinate is much larger than this.
     large: f64,
@@ -97,9 +102,9 @@ impl<'a> Guard<'a> {
         let large = largest(net.vertices).max(largest(fence.anchors)).max(net.period[0]).max(net.period[1]);
         let scale = Scale::of(large);
         let points: Vec<Point> = net.vertices.iter().chain(fence.anchors).map(|&p| scale.down(p)).collect();
-        let at = Incidence::of(net.vertices.len(), fence.kites);
         let [large, _] = scale.down([large, 0.0]);
-        Self { fence, period: scale.down(net.period), scale, points, at, movable: net.vertices.len(), large }
+        let period = scale.down(net.period);
+        Self { fence, period, scale, points, goals: Vec::new(), movable: net.vertices.len(), large }
     }
 
     pub(super) fn place(&self, vertex: usize) -> Point {
@@ -127,32 +132,63 @@ impl<'a> Guard<'a> {
     /// Most may go whatever the others do; that is found out on all cores. The rest goes in turn, each seeing those
     /// before it moved and those behind it not.
     pub(super) fn advance(&mut self, moves: &[(u32, Point)], watch: Watch<'_>) -> Result<()> {
-        let (mut turn, mut goals) = (vec![u32::MAX; self.points.len()], self.points.clone());
-        for (i, &(vertex, to)) in moves.iter().enumerate() {
+        let mut after = std::mem::take(&mut self.goals);
+        after.clone_from(&self.points);
+        for &(vertex, to) in moves {
+            after[vertex as usize] = part_of(1.0, self.points[vertex as usize], to);
+        }
+        let in_turn = self.in_turn(moves, &after);
+        watch.poll()?;
+        let mut turn = vec![u32::MAX; self.movable];
+        for (i, &(vertex, _)) in moves.iter().enumerate() {
             turn[vertex as usize] = i as u32;
-            goals[vertex as usize] = part_of(1.0, self.points[vertex as usize], to);
         }
-        let free = parallel::map(self.fence.kites.len(), |row| self.is_free(row, &goals));
-        let is_sure = |i: usize| self.at.at(moves[i].0 as usize).iter().all(|&row| free[row as usize]);
-        let sure = parallel::map(moves.len(), is_sure);
-        let mut after = self.points.clone();
-        for (&(vertex, _), _) in moves.iter().zip(&sure).filter(|(_, sure)| **sure) {
-            after[vertex as usize] = goals[vertex as usize];
-        }
-        for (i, &(vertex, to)) in moves.iter().enumerate().filter(|(i, _)| !sure[*i]) {
+        let about = self.kites_about(&in_turn);
+        for (i, &(vertex, to)) in in_turn.iter().enumerate() {
             watch.poll_at(i)?;
-            let now = |other: usize| if turn[other] < i as u32 { after[other] } else { self.points[other] };
-            after[vertex as usize] = self.farthest(vertex as usize, to, now);
+            let mine = turn[vertex as usize];
+            let is_before = |other: usize| other < self.movable && turn[other] < mine;
+            let now = |other: usize| if is_before(other) { after[other] } else { self.points[other] };
+            after[vertex as usize] = self.farthest(about.at(i), vertex as usize, to, now);
         }
-        self.points = after;
+        self.goals = std::mem::replace(&mut self.points, after);
         Ok(())
     }
 
+    /// The kites that hold each of the vertices that move in turn.
+    fn kites_about(&self, in_turn: &[(u32, Point)]) -> Incidence {
+        let mut number = vec![NONE; self.movable];
+        for (i, &(vertex, _)) in in_turn.iter().enumerate() {
+            number[vertex as usize] = i as i32;
+        }
+        let number_of = |corner: i32| number.get(corner as usize).copied().unwrap_or(NONE);
+        let held = parallel::ranges(self.fence.kites.len(), |range| {
+            let all = range.map(|row| (row as u32, self.fence.kites[row].map(number_of)));
+            all.filter(|(_, numbers)| numbers.iter().any(|&number| number != NONE)).collect::<Vec<_>>()
+        });
+        Incidence::of_rows(in_turn.len(), || held.iter().flatten().copied())
+    }
+
+    /// The moves that may depend on others.
+    fn in_turn(&self, moves: &[(u32, Point)], goals: &[Point]) -> Vec<(u32, Point)> {
+        let tight = parallel::ranges(self.fence.kites.len(), |range| {
+            let mut tight = Vec::new();
+            for row in range.filter(|&row| !self.is_free(row, goals)) {
+                // None is -1, which is no vertex either.
+                tight.extend(self.fence.kites[row].into_iter().filter(|&corner| (corner as usize) < self.movable));
+            }
+            tight
+        });
+        let mut waits = vec![false; self.movable];
+        tight.into_iter().flatten().for_each(|corner| waits[corner as usize] = true);
+        moves.iter().copied().filter(|&(vertex, _)| waits[vertex as usize]).collect()
+    }
+
     /// How far towards `to` a vertex may go while the others are where `now` says.
-    fn farthest(&self, vertex: usize, to: Point, now: impl Fn(usize) -> Point) -> Point {
+    fn farthest(&self, about: &[u32], vertex: usize, to: Point, now: impl Fn(usize) -> Point) -> Point {
         let from = self.points[vertex];
         let mut places = [1.0, 0.5, 0.25].into_iter().map(|part| part_of(part, from, to));
-        places.find(|&place| self.allows(vertex, place, &now)).unwrap_or(from)
+        places.find(|&place| self.allows(about, vertex, place, &now)).unwrap_or(from)
     }
 
     /// Whether both triangles of a kite are far from flat wherever its corners are on the way to their goals.
@@ -161,13 +197,15 @@ impl<'a> Guard<'a> {
     /// above that of [`Guard::is_clear`], by enough for all roundings.
     fn is_free(&self, row: usize, goals: &[Point]) -> bool {
         let kite = self.fence.kites[row];
+        if kite.into_iter().all(|corner| corner as usize >= self.movable) {
+            return true;
+        }
         if kite[2] < 0 || kite[3] < 0 {
             return false;
         }
         let way = |i: usize| {
             let corner = kite[i] as usize;
-            let start = self.moved(row, i, self.points[corner]);
-            [start, if corner < self.movable { self.moved(row, i, goals[corner]) } else { start }]
+            [self.moved(row, i, self.points[corner]), self.moved(row, i, goals[corner])]
         };
         let (a, b, left, right) = (way(0), way(1), way(2), way(3));
         self.paves(a, b, left) && self.paves(b, a, right)
@@ -176,27 +214,28 @@ impl<'a> Guard<'a> {
     /// Whether a triangle is far from flat with its corners at any of their two places; two of `r` may be one.
     #[inline]
     fn paves(&self, p: [Point; 2], q: [Point; 2], r: [Point; 2]) -> bool {
-        let (mut least, mut most, mut is_positive) = (f64::INFINITY, 0.0_f64, true);
-        let apexes = if r[0] == r[1] { &r[..1] } else { &r[..] };
-        for r in apexes {
-            for p in &p {
-                let (x, y) = (r[0] - p[0], r[1] - p[1]);
-                for q in &q {
-                    let (u, v) = (q[0] - p[0], q[1] - p[1]);
-                    let area = u * y - v * x;
-                    least = least.min(area);
-                    // No NaN is positive, and a least of some would not show it.
-                    is_positive &= area > 0.0;
-                    most = most.max(u * u + v * v + x * x + y * y);
-                }
-            }
-        }
-        is_positive && least > 8.0 * FLAT * most && least > 64.0 * f64::EPSILON * self.large * most.sqrt()
+        self.is_wide(p, q, r[0]) && (r[0] == r[1] || self.is_wide(p, q, r[1]))
     }
 
-    fn allows(&self, vertex: usize, to: Point, now: impl Fn(usize) -> Point) -> bool {
+    /// The same with one corner at one place. Twice the squares of two sides are more than that of the third.
+    #[inline]
+    fn is_wide(&self, p: [Point; 2], q: [Point; 2], r: Point) -> bool {
+        let [p, q] = [p, q].map(|way| way.map(|place| [place[0] - r[0], place[1] - r[1]]));
+        let area = |p: Point, q: Point| p[0] * q[1] - p[1] * q[0];
+        let areas = [area(p[0], q[0]), area(p[0], q[1]), area(p[1], q[0]), area(p[1], q[1])];
+        let square = |[first, second]: [Point; 2]| {
+            (first[0] * first[0] + first[1] * first[1]).max(second[0] * second[0] + second[1] * second[1])
+        };
+        let most = 2.0 * (square(p) + square(q));
+        let least = areas[0].min(areas[1]).min(areas[2].min(areas[3]));
+        let rounded = 64.0 * f64::EPSILON * self.large;
+        // No NaN is positive, and a least of some would not show it.
+        areas.iter().all(|&area| area > 0.0) && least > 8.0 * FLAT * most && least * least > rounded * rounded * most
+    }
+
+    fn allows(&self, about: &[u32], vertex: usize, to: Point, now: impl Fn(usize) -> Point) -> bool {
         to != self.points[vertex]
-            && self.at.at(vertex).iter().all(|&row| {
+            && about.iter().all(|&row| {
                 if self.is_clear(row as usize, vertex as i32, to, &now) {
                     return true;
                 }

@@ -152,15 +152,21 @@ pub(super) struct Ends {
 
 impl Ends {
     pub(super) fn of(net: NetView<'_>) -> Self {
+        Self::at_some(net, |_| true)
+    }
+
+    /// Those at some vertices only.
+    pub(super) fn at_some(net: NetView<'_>, wanted: impl Fn(usize) -> bool) -> Self {
         let mut starts = vec![0; net.vertices.len() + 2];
-        for &vertex in net.edges.iter().flatten() {
+        for &vertex in net.edges.iter().flatten().filter(|&&vertex| wanted(vertex as usize)) {
             starts[vertex as usize + 2] += 1;
         }
         for i in 2..starts.len() {
             starts[i] += starts[i - 1];
         }
-        let mut row = vec![0; 2 * net.edges.len()];
-        for (end, &vertex) in net.edges.iter().flatten().enumerate() {
+        let mut row = vec![0; starts[starts.len() - 1] as usize];
+        let ends = net.edges.iter().flatten().enumerate();
+        for (end, &vertex) in ends.filter(|(_, vertex)| wanted(**vertex as usize)) {
             let place = &mut starts[vertex as usize + 1];
             row[*place as usize] = end as u32;
             *place += 1;

@@ -1,20 +1,24 @@
 //! Rough cracks: 1/f wandering about their straight edges, pinned at the nodes.
 
+mod bridge;
+
 use super::bow::Bow;
 use super::fence::{FenceView, Guard};
 use super::net::{Ends, NONE, Net, NetView};
-use super::noise::Noise;
 use super::room::Room;
 use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::parallel;
 use crate::rng::Key;
 use crate::watch::Watch;
+use bridge::{Bridge, wavy};
 
 /// Most halvings of one edge.
 const DEEPEST: u32 = 8;
 /// An edge is not subdivided when its kite is thinner than this part of its length: roundings could leave it.
 const THIN: f64 = 1e-6;
+/// Edges whose pieces are put together at a time.
+const TOGETHER: usize = 1 << 12;
 
 /// How cracks wander.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,10 +76,13 @@ pub fn roughen(
     let vertices = wander(net, fence, how, key, watch)?;
     let moved = NetView { vertices: &vertices, ..net };
     watch.poll()?;
-    let rooms = parallel::map(net.edges.len(), |k| (Room::of(moved, fence, k), Bow::of(moved, partner, k, rounding)));
-    let mut starts = vec![0_usize];
-    for (k, (room, bow)) in rooms.iter().enumerate() {
-        starts.push(starts[k] + (1 << halvings(room, bow, how)));
+    let depths = parallel::map(net.edges.len(), |k| {
+        halvings(&Room::of(moved, fence, k), &Bow::of(moved, partner, k, rounding), how) as u8
+    });
+    let mut starts = Vec::with_capacity(depths.len() + 1);
+    starts.push(0_usize);
+    for (k, &depth) in depths.iter().enumerate() {
+        starts.push(starts[k] + (1 << depth));
     }
     let found = starts[net.edges.len()];
     const MOST: usize = (1 << 30) - 1;
@@ -86,22 +93,17 @@ pub fn roughen(
     let inner = parallel::ranges(net.edges.len(), |range| {
         let mut places = Vec::with_capacity(starts[range.end] - starts[range.start] - range.len());
         let next = libm::exp2(-how.hurst);
-        range.for_each(|k| pieces(moved, &rooms[k], how, next, key, k, &mut places));
+        let mut heights = [0.0; (1 << DEEPEST) + 1];
+        for k in range.filter(|&k| depths[k] > 0) {
+            let room = Room::of(moved, fence, k);
+            let heights = &mut heights[..=1 << depths[k]];
+            wavy(heights, how.deviation(room.length), next, key, k);
+            pieces(moved, &room, &Bow::of(moved, partner, k, rounding), heights, k, &mut places);
+        }
         places
     });
     watch.poll()?;
     Ok(assemble(moved, partner, &starts, &inner))
-}
-
-impl Roughness {
-    /// Standard deviation in the middle of a stretch.
-    fn deviation(&self, length: f64) -> f64 {
-        if length > 0.0 && self.unit > 0.0 {
-            self.amplitude * self.unit * libm::pow(length / self.unit, self.hurst)
-        } else {
-            0.0
-        }
-    }
 }
 
 /// Moves the vertices of degree 2 across their crack.
@@ -127,8 +129,12 @@ fn wander(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, watc
         }
     }
     let moves = parallel::ranges(starts.len() - 1, |range| {
-        let mut moves = Vec::new();
-        range.for_each(|i| bend(net, &guard, how, key, &entries[starts[i]..starts[i + 1]], &mut moves));
+        let (mut bridge, mut moves) = (Bridge::default(), Vec::new());
+        for i in range {
+            let chain = &entries[starts[i]..starts[i + 1]];
+            bridge.over(net, how, key, chain);
+            bend(net, &guard, &bridge.heights, chain, &mut moves);
+        }
         moves
     });
     guard.advance(&moves.concat(), watch)?;
@@ -136,8 +142,7 @@ fn wander(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, watc
 }
 
 /// Where the vertices along a chain go.
-fn bend(net: NetView<'_>, guard: &Guard<'_>, how: Roughness, key: Key, chain: &[u32], moves: &mut Vec<(u32, Point)>) {
-    let heights = bridge(net, how, key, chain);
+fn bend(net: NetView<'_>, guard: &Guard<'_>, heights: &[f64], chain: &[u32], moves: &mut Vec<(u32, Point)>) {
     for (pair, height) in chain.windows(2).zip(&heights[1..]) {
         let (before, after) = (net.along(pair[0]), net.along(pair[1]));
         let across = [-(before[1] + after[1]), before[0] + after[0]];
@@ -170,30 +175,6 @@ fn chain(
     }
 }
 
-/// Heights at the vertices along a chain; zero at both ends.
-fn bridge(net: NetView<'_>, how: Roughness, key: Key, chain: &[u32]) -> Vec<f64> {
-    let mut along = vec![0.0];
-    for (i, &end) in chain.iter().enumerate() {
-        along.push(along[i] + net.length(end as usize / 2));
-    }
-    let mut heights = vec![0.0; along.len()];
-    let mut noise = Noise::of(key, chain[0] as usize, 1);
-    let mut stretches = vec![(0, chain.len())];
-    while let Some((from, to)) = stretches.pop() {
-        if to - from < 2 {
-            continue;
-        }
-        let (middle, length) = (usize::midpoint(from, to), along[to] - along[from]);
-        let part = if length > 0.0 { (along[middle] - along[from]) / length } else { 0.5 };
-        let spread = how.deviation(length) * 2.0 * (part * (1.0 - part)).max(0.0).sqrt();
-        let between = heights[from] + part * (heights[to] - heights[from]);
-        heights[middle] = between + spread * noise.at(middle);
-        stretches.push((from, middle));
-        stretches.push((middle, to));
-    }
-    heights
-}
-
 /// How often an edge is halved.
 fn halvings(room: &Room, bow: &Bow, how: Roughness) -> u32 {
     let across = room.sides[0][1].max(room.sides[1][1]);
@@ -209,32 +190,9 @@ fn halvings(room: &Room, bow: &Bow, how: Roughness) -> u32 {
     depth
 }
 
-/// Adds the places of the inner vertices of an edge; from one level to the next deviation is `next` as large.
-fn pieces(
-    net: NetView<'_>,
-    (room, bow): &(Room, Bow),
-    how: Roughness,
-    next: f64,
-    key: Key,
-    edge: usize,
-    places: &mut Vec<Point>,
-) {
-    let depth = halvings(room, bow, how);
-    if depth == 0 {
-        return;
-    }
-    let count = 1_usize << depth;
-    let mut noise = Noise::of(key, edge, 2);
-    let mut spread = how.deviation(room.length);
-    let mut heights = [0.0; (1 << DEEPEST) + 1];
-    for level in 0..depth {
-        let stretch = count >> level;
-        for middle in (stretch / 2..count).step_by(stretch) {
-            let between = 0.5 * (heights[middle - stretch / 2] + heights[middle + stretch / 2]);
-            heights[middle] = between + spread * noise.at(middle);
-        }
-        spread *= next;
-    }
+/// Adds the places of the inner vertices of an edge.
+fn pieces(net: NetView<'_>, room: &Room, bow: &Bow, heights: &[f64], edge: usize, places: &mut Vec<Point>) {
+    let count = heights.len() - 1;
     let [a, b] = net.ends(edge);
     let (x, y) = ((b[0] - a[0]) / room.length, (b[1] - a[1]) / room.length);
     places.extend((1..count).map(|i| {
@@ -247,59 +205,49 @@ fn pieces(
 
 /// Piece `i` of edge `k` is edge `starts[k] + i`; the inner vertices follow the old ones in the order of the pieces.
 fn assemble(net: NetView<'_>, partner: &[i32], starts: &[usize], inner: &[Vec<Point>]) -> Rough {
-    let old = net.vertices.len();
+    let (old, edges, count) = (net.vertices.len(), net.edges.len(), starts[net.edges.len()]);
+    let mut rough = Rough {
+        net: Net { edges: vec![[0; 2]; count], period: net.period, ..Net::default() },
+        partner: vec![NONE; 2 * count],
+        origin: vec![0; count],
+    };
     let end_of = |end: i32| match end {
         NONE => NONE,
         _ if end % 2 == 0 => 2 * starts[end as usize / 2] as i32,
         _ => 2 * starts[end as usize / 2 + 1] as i32 - 1,
     };
-    let made = parallel::ranges(net.edges.len(), |range| {
-        let count = starts[range.end] - starts[range.start];
-        let mut made = Pieces { edges: Vec::with_capacity(count), ..Pieces::default() };
-        made.partner.reserve(2 * count);
-        made.origin.reserve(count);
+    let some = (0..edges).step_by(TOGETHER).map(|from| from..edges.min(from + TOGETHER));
+    let cuts = some.clone().map(|range| starts[range.end] - starts[range.start]);
+    let own = parallel::shared(&mut rough.net.edges, cuts.clone());
+    let partners = parallel::shared(rough.partner.as_chunks_mut::<2>().0, cuts.clone());
+    let origins = parallel::shared(&mut rough.origin, cuts);
+    let parts = some.zip(own).zip(partners).zip(origins).collect();
+    parallel::parts(count, parts, |(((range, own), partners), origins)| {
+        let first = starts[range.start];
         for k in range {
-            let (first, last) = (starts[k], starts[k + 1] - 1);
-            for piece in first..=last {
+            let (start, end) = (starts[k], starts[k + 1]);
+            for piece in start..end {
                 // The vertex after the piece; every edge before has one piece more than inner vertices.
                 let after = (old + piece - k) as i32;
                 let (near, far) = (2 * piece as i32, 2 * piece as i32 + 1);
-                made.edges.push([
-                    if piece == first { net.edges[k][0] } else { after - 1 },
-                    if piece == last { net.edges[k][1] } else { after },
-                ]);
-                made.partner.push(if piece == first { end_of(partner[2 * k]) } else { near - 1 });
-                made.partner.push(if piece == last { end_of(partner[2 * k + 1]) } else { far + 1 });
-                made.origin.push(k as i32);
-                if !net.shifts.is_empty() {
-                    made.shifts.push(if piece == last { net.shifts[k] } else { [0, 0] });
-                }
+                own[piece - first] = [after - 1, after];
+                partners[piece - first] = [near - 1, far + 1];
             }
+            origins[start - first..end - first].fill(k as i32);
+            let (start, last) = (start - first, end - 1 - first);
+            own[start][0] = net.edges[k][0];
+            own[last][1] = net.edges[k][1];
+            partners[start][0] = end_of(partner[2 * k]);
+            partners[last][1] = end_of(partner[2 * k + 1]);
         }
-        made
     });
-    let vertices: Vec<&[Point]> = [net.vertices].into_iter().chain(inner.iter().map(Vec::as_slice)).collect();
-    let vertices = vertices.concat();
-    let mut cut = net.cut.to_vec();
-    cut.resize(vertices.len(), false);
-    let edges = joined(&made, |pieces| &pieces.edges);
-    let shifts = joined(&made, |pieces| &pieces.shifts);
-    Rough {
-        net: Net { vertices, edges, shifts, period: net.period, cut },
-        partner: joined(&made, |pieces| &pieces.partner),
-        origin: joined(&made, |pieces| &pieces.origin),
+    if !net.shifts.is_empty() {
+        rough.net.shifts = vec![[0; 2]; count];
+        net.shifts.iter().zip(&starts[1..]).for_each(|(&shift, &end)| rough.net.shifts[end - 1] = shift);
     }
-}
-
-/// The pieces of some edges, as in [`Rough`].
-#[derive(Default)]
-struct Pieces {
-    edges: Vec<[i32; 2]>,
-    shifts: Vec<[i8; 2]>,
-    partner: Vec<i32>,
-    origin: Vec<i32>,
-}
-
-fn joined<T: Copy>(made: &[Pieces], of: impl Fn(&Pieces) -> &Vec<T>) -> Vec<T> {
-    made.iter().map(|pieces| of(pieces).as_slice()).collect::<Vec<_>>().concat()
+    let vertices: Vec<&[Point]> = [net.vertices].into_iter().chain(inner.iter().map(Vec::as_slice)).collect();
+    rough.net.vertices = vertices.concat();
+    rough.net.cut = net.cut.to_vec();
+    rough.net.cut.resize(rough.net.vertices.len(), false);
+    rough
 }

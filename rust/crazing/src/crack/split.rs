@@ -129,10 +129,11 @@ fn moments(polygon: &[Point]) -> (f64, Point, [f64; 3]) {
     let origin = polygon[0];
     let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
     for i in 0..polygon.len() {
-        let [p, q] = [polygon[i], polygon[(i + 1) % polygon.len()]].map(|p| [p[0] - origin[0], p[1] - origin[1]]);
+        let [p, q] = [polygon[i], polygon[if i + 1 == polygon.len() { 0 } else { i + 1 }]];
+        let (p, q) = ([p[0] - origin[0], p[1] - origin[1]], [q[0] - origin[0], q[1] - origin[1]]);
         let cross = p[0] * q[1] - p[1] * q[0];
         area += cross / 2.0;
-        (0..2).for_each(|k| first[k] += cross * (p[k] + q[k]) / 6.0);
+        first = [first[0] + cross * (p[0] + q[0]) / 6.0, first[1] + cross * (p[1] + q[1]) / 6.0];
         second[0] += cross * (p[0] * p[0] + p[0] * q[0] + q[0] * q[0]) / 12.0;
         second[1] += cross * (2.0 * p[0] * p[1] + p[0] * q[1] + q[0] * p[1] + 2.0 * q[0] * q[1]) / 24.0;
         second[2] += cross * (p[1] * p[1] + p[1] * q[1] + q[1] * q[1]) / 12.0;

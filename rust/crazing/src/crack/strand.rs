@@ -20,26 +20,53 @@ pub struct Strands {
     /// The generation of each edge's strand: 0 abuts no older strand, others are one more than the youngest older
     /// strand they abut.
     pub generation: Vec<i32>,
-    /// The ends of the edges along each strand in turn: an end to enter an edge by.
+    /// The ends of the edges along each run in turn: an end to enter an edge by. A run is the edges of a strand; runs
+    /// stand as they were found, so that neighbours in the drawing are near.
     pub entries: Vec<u32>,
-    /// Length of the edge of each entry.
-    pub spans: Vec<f64>,
-    /// Where each strand starts in `entries`, and the end.
+    /// Where each run starts in `entries`, and the end.
     pub starts: Vec<usize>,
+    /// The strand of each run.
+    pub strand: Vec<u32>,
+    /// The run of each strand.
+    pub run: Vec<u32>,
+    /// Whether no other edge ends where each run starts, and where it ends.
+    pub alone: Vec<[bool; 2]>,
+    /// Length of each edge.
+    pub spans: Vec<f64>,
     /// Length of each strand.
     pub length: Vec<f64>,
+}
+
+impl Strands {
+    /// The ends of the edges along a strand in turn.
+    pub fn along(&self, strand: usize) -> &[u32] {
+        self.entries_of(self.run[strand] as usize)
+    }
+
+    pub(super) fn entries_of(&self, run: usize) -> &[u32] {
+        &self.entries[self.starts[run]..self.starts[run + 1]]
+    }
 }
 
 /// Follows the best-aligned pairs of edges through a drawing; `partner` is what [`pairs`] gives.
 ///
 /// `age` of every edge, low is old, orders the strands; where there is none the longer is the older.
 pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
-    let lengths = parallel::map(net.edges.len(), |edge| net.length(edge));
-    let mut runs = follow(net, partner, &lengths);
-    let age = |run: &Run| age.get(run.lowest as usize).copied().unwrap_or(0);
+    let mut found = Strands { starts: vec![0], ..Strands::default() };
+    found.spans = parallel::map(net.edges.len(), |edge| net.length(edge));
+    let mut runs = follow(&mut found, partner, age);
+    found.length = vec![0.0; runs.len()];
     // Oldest first, then longest; equal lengths by their first edge.
-    runs.sort_by(|a, b| age(a).cmp(&age(b)).then(b.length.total_cmp(&a.length)).then(a.lowest.cmp(&b.lowest)));
-    number(net, &Ends::of(net), &runs, &lengths)
+    parallel::sort(&mut runs);
+    found.run = runs.iter().map(|run| run.number).collect();
+    found.strand = vec![0; runs.len()];
+    for (strand, run) in runs.iter().enumerate() {
+        found.strand[run.number as usize] = strand as u32;
+        found.length[strand] = f64::from_bits(!run.shortness);
+    }
+    found.of_edge = parallel::map(net.edges.len(), |edge| found.strand[found.of_edge[edge] as usize] as i32);
+    descend(net, &mut found);
+    found
 }
 
 /// Unit vector from an end along its edge.
@@ -100,61 +127,78 @@ fn candidates(mut spokes: Vec<(Point, u32)>) -> Vec<(f64, u32, u32)> {
     spokes.iter().enumerate().flat_map(|(i, a)| later(i).map(move |b| pair(a, b))).collect()
 }
 
-/// The edges of one strand in turn.
+/// What a run is put in order by.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct Run {
-    entries: Vec<u32>,
-    length: f64,
+    age: i32,
+    /// The bits of its length, turned over: lengths are not negative, and then their bits have their order.
+    shortness: u64,
     lowest: u32,
+    number: u32,
 }
 
-fn follow(net: NetView<'_>, partner: &[i32], lengths: &[f64]) -> Vec<Run> {
-    let mut seen = vec![false; net.edges.len()];
-    let ends = 0..2 * net.edges.len() as u32;
-    // Open strands from their ends, then rings from their lowest edge.
+/// Finds the runs: those that have ends from there, then rings from their lowest edge. Leaves the run of every edge.
+fn follow(found: &mut Strands, partner: &[i32], age: &[i32]) -> Vec<Run> {
+    let edges = found.spans.len();
+    found.of_edge = vec![NONE; edges];
+    found.entries.reserve(edges);
+    let ends = 0..2 * edges as u32;
     let tips = ends.clone().filter(|&end| partner[end as usize] == NONE);
     let mut runs = Vec::new();
     for tip in tips.chain(ends) {
-        if !seen[tip as usize / 2] {
-            runs.push(run(lengths, partner, tip, &mut seen));
+        if found.of_edge[tip as usize / 2] != NONE {
+            continue;
         }
+        let (mut length, mut lowest, mut entry) = (0.0, tip / 2, tip as i32);
+        while entry != NONE && found.of_edge[entry as usize / 2] == NONE {
+            let edge = entry as u32 / 2;
+            found.of_edge[edge as usize] = runs.len() as i32;
+            found.entries.push(entry as u32);
+            lowest = lowest.min(edge);
+            length += found.spans[edge as usize];
+            entry = partner[(entry ^ 1) as usize];
+        }
+        let age = age.get(lowest as usize).copied().unwrap_or(0);
+        runs.push(Run { age, shortness: !length.to_bits(), lowest, number: runs.len() as u32 });
+        found.starts.push(found.entries.len());
     }
     runs
 }
 
-fn run(lengths: &[f64], partner: &[i32], tip: u32, seen: &mut [bool]) -> Run {
-    let mut run = Run { entries: Vec::new(), length: 0.0, lowest: tip / 2 };
-    let mut entry = tip as i32;
-    while entry != NONE && !std::mem::replace(&mut seen[entry as usize / 2], true) {
-        let edge = entry as u32 / 2;
-        run.entries.push(entry as u32);
-        run.lowest = run.lowest.min(edge);
-        run.length += lengths[edge as usize];
-        entry = partner[(entry ^ 1) as usize];
-    }
-    run
-}
-
-fn number(net: NetView<'_>, ends: &Ends, runs: &[Run], lengths: &[f64]) -> Strands {
-    let mut strands = Strands { of_edge: vec![-1; net.edges.len()], starts: vec![0], ..Strands::default() };
-    for (strand, run) in runs.iter().enumerate() {
-        for &entry in &run.entries {
-            strands.of_edge[entry as usize / 2] = strand as i32;
+/// Finds who abuts whom, and so the generations.
+fn descend(net: NetView<'_>, found: &mut Strands) {
+    let tips = |run: usize| match found.entries_of(run) {
+        [first, .., last] => [*first, last ^ 1],
+        [only] => [*only, only ^ 1],
+        [] => [0, 0],
+    };
+    let runs = found.strand.len();
+    let mut is_tip = vec![false; net.vertices.len()];
+    (0..runs).flat_map(tips).for_each(|end| is_tip[net.vertex(end)] = true);
+    let ends = Ends::at_some(net, |vertex| is_tip[vertex]);
+    // In the order of the runs, where memory is near: the older strands that each meets.
+    let met = parallel::ranges(runs, |range| {
+        let (mut older, mut starts, mut alone) = (Vec::new(), Vec::with_capacity(range.len()), Vec::new());
+        for run in range {
+            starts.push(older.len() as u32);
+            let here = tips(run).map(|tip| ends.at(net.vertex(tip)));
+            alone.push(here.map(|here| here.len() == 1));
+            let all = here.into_iter().flatten().map(|&end| found.of_edge[end as usize / 2]);
+            older.extend(all.filter(|&other| other < found.strand[run] as i32));
         }
-        strands.entries.extend(&run.entries);
-        strands.spans.extend(run.entries.iter().map(|&entry| lengths[entry as usize / 2]));
-        strands.starts.push(strands.entries.len());
-        strands.length.push(run.length);
+        starts.push(older.len() as u32);
+        (older, starts, alone)
+    });
+    let size = met.first().map_or(1, |(_, starts, _)| starts.len() - 1);
+    found.alone = met.iter().flat_map(|(_, _, alone)| alone.iter().copied()).collect();
+    let mut generation: Vec<i32> = Vec::with_capacity(runs);
+    for &run in &found.run {
+        let (older, starts, _) = &met[run as usize / size];
+        let older = &older[starts[run as usize % size] as usize..starts[run as usize % size + 1] as usize];
+        // Older strands have their generation already.
+        let parent = older.iter().max_by_key(|&&other| (generation[other as usize], std::cmp::Reverse(other)));
+        generation.push(parent.map_or(0, |&other| generation[other as usize] + 1));
+        found.parent.push(parent.map_or(NONE, |&other| other));
     }
-    let mut generation: Vec<i32> = Vec::with_capacity(runs.len());
-    for (strand, run) in runs.iter().enumerate() {
-        // Both outer ends of the strand; older strands have their generation already.
-        let tips = [run.entries.first().copied(), run.entries.last().map(|entry| entry ^ 1)];
-        let met = tips.into_iter().flatten().flat_map(|tip| ends.at(net.vertex(tip)));
-        let older = met.map(|&end| strands.of_edge[end as usize / 2] as usize).filter(|&other| other < strand);
-        let parent = older.max_by_key(|&other| (generation[other], std::cmp::Reverse(other)));
-        generation.push(parent.map_or(0, |other| generation[other] + 1));
-        strands.parent.push(parent.map_or(NONE, |other| other as i32));
-    }
-    strands.generation = strands.of_edge.iter().map(|&strand| generation[strand as usize]).collect();
-    strands
+    found.generation = parallel::map(net.edges.len(), |edge| generation[found.of_edge[edge] as usize]);
 }

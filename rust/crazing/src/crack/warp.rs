@@ -44,7 +44,7 @@ pub fn warp(
     Ok(guard.into_vertices())
 }
 
-/// Waves over a box: radians a unit along each axis, two phases, and height.
+/// Waves over a box: turns a unit along each axis, the turns that both displacements start at, and height.
 struct Waves {
     corner: Point,
     waves: Vec<([f64; 2], [f64; 2], f64)>,
@@ -55,7 +55,6 @@ impl Waves {
         let sides = [xmax - xmin, ymax - ymin];
         let mut rng = Rng::new(key, stream::WARP);
         let mut waves = Vec::new();
-        let turn = std::f64::consts::TAU;
         while waves.len() < WAVES {
             let [u, v, phase, other] = [0; 4].map(|_| rng.unit());
             let mut turns = [u, v].map(|u| (2.0 * u - 1.0) * SHORTEST);
@@ -64,8 +63,7 @@ impl Waves {
             }
             let count = libm::hypot(turns[0], turns[1]);
             if (1.0..=SHORTEST).contains(&count) {
-                let rate = [0, 1].map(|i| turn * turns[i] / sides[i]);
-                waves.push((rate, [turn * phase, turn * other], 1.0 / count));
+                waves.push(([turns[0] / sides[0], turns[1] / sides[1]], [phase, other], 1.0 / count));
             }
         }
         // So that each coordinate has a standard deviation of 1.
@@ -78,10 +76,49 @@ impl Waves {
         let mut sum = [0.0; 2];
         for (rate, phases, height) in &self.waves {
             let at = rate[0] * (p[0] - self.corner[0]) + rate[1] * (p[1] - self.corner[1]);
-            for (sum, phase) in sum.iter_mut().zip(phases) {
-                *sum += height * libm::sin(at + phase);
-            }
+            sum[0] += height * sine(at + phases[0]);
+            sum[1] += height * sine(at + phases[1]);
         }
         sum
+    }
+}
+
+/// The sine of so many turns, within 1e-13; many times faster than that of radians, and the same on every platform.
+#[inline]
+fn sine(turns: f64) -> f64 {
+    // Adding and taking away a number whose last bit is 1 rounds to the nearest whole.
+    const WHOLE: f64 = 6_755_399_441_055_744.0; // 1.5 * 2^52
+    let part = turns - ((turns + WHOLE) - WHOLE);
+    let quarter = part.abs().min(0.5 - part.abs());
+    let x = std::f64::consts::TAU * quarter;
+    let square = x * x;
+    // Taylor's series, of which the first term left out is below 1e-13 at a quarter turn.
+    let terms = [
+        1.0 / 355_687_428_096_000.0,
+        -1.0 / 1_307_674_368_000.0,
+        1.0 / 6_227_020_800.0,
+        -1.0 / 39_916_800.0,
+        1.0 / 362_880.0,
+        -1.0 / 5_040.0,
+        1.0 / 120.0,
+        -1.0 / 6.0,
+        1.0,
+    ];
+    let sum = terms.iter().fold(0.0, |sum, term| sum * square + term);
+    (x * sum).copysign(part)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sine;
+
+    #[test]
+    fn sines_are_those_of_radians() {
+        for i in -4000..=4000 {
+            let turns = f64::from(i) / 640.0;
+            assert!((sine(turns) - libm::sin(std::f64::consts::TAU * turns)).abs() < 1e-13, "{turns}");
+        }
+        assert_eq!([sine(0.0), sine(3.0), sine(-0.5)].map(f64::abs), [0.0; 3]);
+        assert!(sine(f64::MAX).abs() <= 1.0);
     }
 }

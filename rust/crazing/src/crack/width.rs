@@ -56,41 +56,37 @@ impl Default for Profile {
 /// [`Error::BadValue`].
 pub fn widths(net: NetView<'_>, strands: &Strands, profile: Profile, key: Key) -> Result<Vec<[f64; 2]>> {
     check(&profile)?;
-    let degree = net.degrees();
     let longest = strands.length.iter().fold(f64::MIN_POSITIVE, |longest, &length| longest.max(length));
-    let found = parallel::ranges(strands.length.len(), |range| {
+    let found = parallel::ranges(strands.run.len(), |range| {
         let mut found = Vec::with_capacity(strands.starts[range.end] - strands.starts[range.start]);
-        range.for_each(|strand| along(net, strands, &profile, key, &degree, longest, strand, &mut found));
+        range.for_each(|run| along(net, strands, &profile, key, longest, run, &mut found));
         found
     });
     let mut widths = vec![[0.0; 2]; net.edges.len()];
-    for (&entry, [before, after]) in strands.entries.iter().zip(found.into_iter().flatten()) {
-        let (edge, side) = (entry as usize / 2, entry as usize % 2);
-        widths[edge][side] = before;
-        widths[edge][1 - side] = after;
+    let mut entries = strands.entries.iter();
+    for some in &found {
+        for (&[before, after], &entry) in some.iter().zip(entries.by_ref()) {
+            widths[entry as usize / 2] = if entry.is_multiple_of(2) { [before, after] } else { [after, before] };
+        }
     }
     Ok(widths)
 }
 
-/// Adds the widths before and after each edge of a strand, in the order of its entries.
-#[allow(clippy::too_many_arguments, reason = "what all strands share is found once")]
+/// Adds the widths before and after each edge of a run, in the order of its entries.
 fn along(
     net: NetView<'_>,
     strands: &Strands,
     profile: &Profile,
     key: Key,
-    degree: &[u32],
     longest: f64,
-    strand: usize,
+    run: usize,
     found: &mut Vec<[f64; 2]>,
 ) {
-    let (length, entries) =
-        (strands.length[strand], &strands.entries[strands.starts[strand]..strands.starts[strand + 1]]);
-    let tip = |end: u32| {
-        let vertex = net.vertex(end);
-        Tip::of(degree[vertex], !net.cut[vertex])
-    };
+    let (strand, entries) = (strands.strand[run] as usize, strands.entries_of(run));
+    let length = strands.length[strand];
     let (Some(&first), Some(&last)) = (entries.first(), entries.last()) else { return };
+    let [here, there] = strands.alone[run];
+    let tip = |end: u32, alone: bool| Tip::of(alone, !net.cut[net.vertex(end)]);
     let generation = strands.generation[first as usize / 2];
     let full = profile.width
         * libm::pow(length / longest, profile.hierarchy)
@@ -99,14 +95,14 @@ fn along(
         full: full * factor(profile.unevenness, key, strand, 0),
         length,
         reach: profile.taper * length,
-        tips: [tip(first), tip(last ^ 1)],
+        tips: [tip(first, here), tip(last ^ 1, there)],
         abutting: profile.abutting,
     };
     let mut uneven = Uneven::of(profile, key, strand);
     let mut at = |run: f64, end: u32| shape.at(run) * uneven.at(run) * faded(net, profile, end);
     let (mut run, mut before) = (0.0, at(0.0, first));
-    for (&entry, span) in entries.iter().zip(&strands.spans[strands.starts[strand]..]) {
-        run += span;
+    for &entry in entries {
+        run += strands.spans[entry as usize / 2];
         let after = at(run, entry ^ 1);
         found.push([before, after]);
         before = after;
@@ -161,9 +157,11 @@ impl Uneven {
             return 1.0;
         }
         let whole = (run / self.unit).floor();
-        if whole as u64 != self.knot {
-            self.knot = whole as u64;
-            self.ends = [1, 2].map(|next| factor(self.spread, self.key, self.strand, self.knot + next));
+        let knot = whole as u64;
+        if knot != self.knot {
+            let at = |next: u64| factor(self.spread, self.key, self.strand, knot.saturating_add(next));
+            self.ends = [if self.knot.checked_add(1) == Some(knot) { self.ends[1] } else { at(1) }, at(2)];
+            self.knot = knot;
         }
         self.ends[0] + (run / self.unit - whole) * (self.ends[1] - self.ends[0])
     }
@@ -193,10 +191,10 @@ enum Tip {
 }
 
 impl Tip {
-    fn of(degree: u32, free: bool) -> Self {
-        match (degree, free) {
-            (1, true) => Self::Free,
-            (1, false) => Self::Cut,
+    fn of(alone: bool, free: bool) -> Self {
+        match (alone, free) {
+            (true, true) => Self::Free,
+            (true, false) => Self::Cut,
             _ => Self::Abutting,
         }
     }

@@ -49,6 +49,12 @@ pub(super) fn finished(merged: Merged, mut topology: delaunay::Topology, scale: 
     Diagram { sites, site_of: merged.site_of, triangles, vertices, edges, dual_edges }
 }
 
+/// Distinct points in the order of their first appearance, the one of every row, and the unit they are near 1 in.
+pub(crate) fn distinct(points: &[Point]) -> (Vec<Point>, Vec<i32>, Scale) {
+    let (merged, scale) = merge_scaled(points);
+    (merged.sites, merged.site_of, scale)
+}
+
 /// The edges alone of a Delaunay triangulation of points near 1, and the first row of every point they join.
 ///
 /// # Errors
@@ -80,7 +86,7 @@ fn renumber(topology: &mut delaunay::Topology, curve: &[u32]) {
     });
 }
 
-pub(super) fn check_points(points: &[Point]) -> Result<()> {
+pub(crate) fn check_points(points: &[Point]) -> Result<()> {
     if points.len() > MOST_POINTS {
         return Err(Error::TooMany { what: "points", found: points.len(), limit: MOST_POINTS });
     }

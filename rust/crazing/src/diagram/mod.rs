@@ -4,6 +4,7 @@ mod build;
 mod constrained;
 mod delaunay;
 mod depths;
+pub(crate) mod halves;
 mod missing;
 mod mosaic;
 mod order;
@@ -16,7 +17,7 @@ mod torus;
 mod vertices;
 
 pub use build::diagram;
-pub(crate) use build::triangulate_near_one;
+pub(crate) use build::{check_points, distinct, triangulate_near_one};
 pub use constrained::{ConstrainedDiagram, constrained};
 pub use depths::depths;
 pub use mosaic::{Mosaic, mosaic};

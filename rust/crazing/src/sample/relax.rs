@@ -1,12 +1,18 @@
 //! Lloyd's relaxation: every point to the centroid of its cell.
 
 use super::check_box;
-use crate::diagram::{DiagramView, diagram, periodic};
-use crate::error::Result;
+use crate::diagram::halves::{Site, Stars};
+use crate::diagram::scale::{Scale, cleared, largest};
+use crate::diagram::{DiagramView, check_points, distinct, periodic};
+use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::incidence::Incidence;
 use crate::parallel;
 use crate::watch::Watch;
+
+/// Where the sines of the angles between neighbours are no smaller, the centre of their circle is exact to some
+/// roundings; cells with others are clipped by one neighbour after the other, which needs no centres.
+const WIDE: f64 = 1e-3;
 
 /// The points after rounds of Lloyd's relaxation within `bounds`, or on a torus whose period starts at the corner of
 /// the bounds.
@@ -27,20 +33,107 @@ pub fn relax(
     watch: Watch<'_>,
 ) -> Result<Vec<Point>> {
     check_box(bounds)?;
+    let Some(period) = period else { return in_plane(points, iterations, bounds, watch) };
     let mut points = points;
     for _ in 0..iterations {
-        points = match period {
-            None => round(&points, bounds, watch)?,
-            Some(period) => round_on_torus(&points, [bounds[0], bounds[1]], period, watch)?,
-        };
+        points = round_on_torus(&points, [bounds[0], bounds[1]], period, watch)?;
     }
     Ok(points)
 }
 
-fn round(points: &[Point], bounds: [f64; 4], watch: Watch<'_>) -> Result<Vec<Point>> {
-    let d = diagram(points, watch)?;
-    let moved = centroids(d.view(), &[], [0.0; 2], |_| bounds, &whole(d.view(), bounds), watch)?;
-    Ok(d.site_of.iter().map(|&site| moved[site as usize]).collect())
+/// Points are kept in the order of the last triangulation from round to round, equal ones as one.
+fn in_plane(points: Vec<Point>, iterations: usize, bounds: [f64; 4], watch: Watch<'_>) -> Result<Vec<Point>> {
+    check_points(&points)?;
+    let rows = points.len();
+    let mut stars = Stars::of(points.into_iter().zip(0..).map(|(p, row)| Site::new(p, row)).collect());
+    let mut of_row: Vec<u32> = (0..rows as u32).collect();
+    for _ in 0..iterations {
+        let scale = triangulated(&mut stars, &mut of_row, watch)?;
+        watch.poll()?;
+        let up = |p: Point| if scale.is_one() { p } else { scale.up(p) };
+        let moved = parallel::ranges(stars.sites.len(), |range| {
+            let mut corner = Corners::default();
+            range.map(|site| corner.centroid(&stars, site, bounds, up)).collect::<Vec<_>>()
+        });
+        for (site, place) in stars.sites.iter_mut().zip(moved.into_iter().flatten()) {
+            site.place = place;
+        }
+    }
+    let mut places = vec![[0.0; 2]; stars.sites.len()];
+    stars.sites.iter().for_each(|site| places[site.row as usize] = site.place);
+    Ok(of_row.into_iter().map(|row| places[row as usize]).collect())
+}
+
+/// Triangulates the sites in a unit that brings them near 1; equal ones become one, which their rows share.
+fn triangulated(stars: &mut Stars, of_row: &mut [u32], watch: Watch<'_>) -> Result<Scale> {
+    let most = stars.sites.iter().fold(0.0, |most: f64, site| most.max(largest(&[site.place])));
+    let scale = Scale::of(most);
+    for site in &mut stars.sites {
+        site.place = scale.down(cleared(site.place, most));
+    }
+    if stars.triangulate(watch)? {
+        return Ok(scale);
+    }
+    let mut places = vec![[0.0; 2]; stars.sites.len()];
+    stars.sites.iter().for_each(|site| places[site.row as usize] = site.place);
+    let (places, site_of, _) = distinct(&places);
+    of_row.iter_mut().for_each(|row| *row = site_of[*row as usize] as u32);
+    *stars = Stars::of(places.into_iter().zip(0..).map(|(p, row)| Site::new(p, row)).collect());
+    if stars.triangulate(watch)? { Ok(scale) } else { Err(Error::Internal("distinct points were found equal")) }
+}
+
+/// The corners of a cell, seen from its site; the memory is used again for the next.
+#[derive(Default)]
+struct Corners {
+    steps: Vec<Point>,
+    cell: Vec<Point>,
+    spare: Vec<Point>,
+}
+
+impl Corners {
+    /// The centroid of a cell within the bounds. Seen from the site, so that cells far from the origin lose nothing.
+    fn centroid(&mut self, stars: &Stars, site: usize, bounds: [f64; 4], up: impl Fn(Point) -> Point) -> Point {
+        let p = up(stars.sites[site].place);
+        let from = |q: Point| [q[0] - p[0], q[1] - p[1]];
+        self.steps.clear();
+        self.steps.extend(stars.around(site).map(|other| from(up(other.place))));
+        let (low, high) = (from([bounds[0], bounds[1]]), from([bounds[2], bounds[3]]));
+        if !self.is_whole(low, high) {
+            self.cell.clear();
+            self.cell.extend([low, [high[0], low[1]], high, [low[0], high[1]]]);
+            for &step in &self.steps {
+                cut(&mut self.cell, step, &mut self.spare);
+            }
+        }
+        let [x, y] = centroid(&self.cell).unwrap_or([0.0; 2]);
+        [(p[0] + x).clamp(bounds[0], bounds[2]), (p[1] + y).clamp(bounds[1], bounds[3])]
+    }
+
+    /// Finds the corners of a cell that lies in the bounds whole; false when it does not, or they are hard to tell.
+    fn is_whole(&mut self, low: Point, high: Point) -> bool {
+        self.cell.clear();
+        let square = |[x, y]: Point| x * x + y * y;
+        let Some(&last) = self.steps.last() else { return false };
+        let (mut a, mut size) = (last, square(last));
+        for &b in &self.steps {
+            let next = square(b);
+            let (p, q) = (a[0] * b[1], a[1] * b[0]);
+            let cross = p - q;
+            // Outside the hull neighbours turn by half a turn or more.
+            let is_wide = cross > WIDE * (p.abs() + q.abs());
+            if !is_wide {
+                return false;
+            }
+            let part = 0.5 / cross;
+            let corner = [part * (size * b[1] - next * a[1]), part * (next * a[0] - size * b[0])];
+            if !(0..2).all(|i| low[i] <= corner[i] && corner[i] <= high[i]) {
+                return false;
+            }
+            self.cell.push(corner);
+            (a, size) = (b, next);
+        }
+        true
+    }
 }
 
 fn round_on_torus(points: &[Point], corner: Point, period: Point, watch: Watch<'_>) -> Result<Vec<Point>> {
@@ -49,40 +142,10 @@ fn round_on_torus(points: &[Point], corner: Point, period: Point, watch: Watch<'
     // A cell reaches no farther than half a period from its site: see the note on halos in `diagram::periodic`.
     let half = period.map(|side| side / 2.0);
     let about = |p: Point| [p[0] - half[0], p[1] - half[1], p[0] + half[0], p[1] + half[1]];
-    let moved = centroids(torus.diagram.view(), &torus.shifts, period, about, &[], watch)?;
+    let moved = centroids(torus.diagram.view(), &torus.shifts, period, about, watch)?;
     let inside = |x: f64, side: f64| (x - (x / side).floor() * side).clamp(0.0, side.next_down());
     let place = |&site: &i32| [0, 1].map(|i| corner[i] + inside(moved[site as usize][i], period[i]));
     Ok(torus.diagram.site_of.iter().map(place).collect())
-}
-
-/// The centroids of the cells that lie in the bounds whole, by the triangles between a site and its walls; None of
-/// those that must be clipped.
-fn whole(view: DiagramView<'_>, bounds: [f64; 4]) -> Vec<Option<Point>> {
-    let is_inside = |p: Point| (0..2).all(|i| (bounds[i]..=bounds[i + 2]).contains(&p[i]));
-    let inside = parallel::map(view.vertices.len(), |v| is_inside(view.vertices[v]));
-    let mut sums = vec![[0.0; 3]; view.sites.len()];
-    for (&[p, q], &[right, left]) in view.edges.iter().zip(view.dual_edges) {
-        if right < 0 || left < 0 || !inside[right as usize] || !inside[left as usize] {
-            // No number: what it is added to is none either.
-            for site in [p, q] {
-                sums[site as usize][0] = f64::NAN;
-            }
-            continue;
-        }
-        let [right, left] = [right, left].map(|v| view.vertices[v as usize]);
-        for (site, [from, to]) in [(p, [right, left]), (q, [left, right])] {
-            let s = view.sites[site as usize];
-            let (u, v) = ([from[0] - s[0], from[1] - s[1]], [to[0] - s[0], to[1] - s[1]]);
-            let cross = u[0] * v[1] - u[1] * v[0];
-            let sum = &mut sums[site as usize];
-            *sum = [sum[0] + cross, sum[1] + cross * (u[0] + v[0]), sum[2] + cross * (u[1] + v[1])];
-        }
-    }
-    let place = |(s, sum): (&Point, &[f64; 3])| {
-        let [x, y] = [s[0] + sum[1] / (3.0 * sum[0]), s[1] + sum[2] / (3.0 * sum[0])];
-        (sum[0] > 0.0 && is_inside([x, y])).then_some([x, y])
-    };
-    view.sites.iter().zip(&sums).map(place).collect()
 }
 
 fn centroids(
@@ -90,15 +153,11 @@ fn centroids(
     shifts: &[[i8; 2]],
     period: Point,
     region: impl Fn(Point) -> [f64; 4] + Sync + Send,
-    known: &[Option<Point>],
     watch: Watch<'_>,
 ) -> Result<Vec<Point>> {
     watch.poll()?;
     let about = Incidence::of(view.sites.len(), view.edges);
     Ok(parallel::map(view.sites.len(), |site| {
-        if let Some(&Some(place)) = known.get(site) {
-            return place;
-        }
         let p = view.sites[site];
         let [xmin, ymin, xmax, ymax] = region(p);
         // Seen from the site, so that cells far from the origin lose nothing.

@@ -149,7 +149,7 @@ fn curve(polygon: &[Point], [a, b]: [Hit; 2], bend: f64) -> Vec<Point> {
 
 /// Whether a wall meets the outline at its ends only.
 fn fits(polygon: &[Point], [a, b]: [Hit; 2], points: &[Point]) -> bool {
-    let ends = |side: usize| (polygon[side], polygon[(side + 1) % polygon.len()]);
+    let ends = |side: usize| (polygon[side], polygon[if side + 1 == polygon.len() { 0 } else { side + 1 }]);
     let last = points.len() - 2;
     points.windows(2).enumerate().all(|(i, piece)| {
         (0..polygon.len()).all(|side| {

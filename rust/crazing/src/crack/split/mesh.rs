@@ -10,6 +10,7 @@ use crate::crack::net::{NONE, Net};
 use crate::crack::strand::{pairs, strands};
 use crate::crack::walls::Walls;
 use crate::graph::Point;
+use crate::parallel;
 use crate::predicates::orientation;
 
 type Turn = [i32; 2];
@@ -76,18 +77,21 @@ impl Mesh {
         Self { points: net.vertices.to_vec(), is_node, edges, cells: cells.collect(), period: net.period, ages }
     }
 
+    #[inline]
     fn start(&self, half: u32) -> usize {
         self.edges[half as usize / 2].ends[half as usize % 2] as usize
     }
 
     /// Periods crossed along a half-edge.
+    #[inline]
     fn shift(&self, half: u32) -> Turn {
-        let shift = self.edges[half as usize / 2].shift;
-        if half.is_multiple_of(2) { shift } else { shift.map(|x| -x) }
+        let [x, y] = self.edges[half as usize / 2].shift;
+        if half.is_multiple_of(2) { [x, y] } else { [-x, -y] }
     }
 
+    #[inline]
     fn moved(&self, p: Point, turn: Turn) -> Point {
-        [0, 1].map(|i| p[i] + f64::from(turn[i]) * self.period[i])
+        [p[0] + f64::from(turn[0]) * self.period[0], p[1] + f64::from(turn[1]) * self.period[1]]
     }
 
     /// For each half-edge of a cell the periods between its start and where the polygon has it.
@@ -104,12 +108,14 @@ impl Mesh {
 
     /// Corners, counter-clockwise; on a torus as one piece.
     pub(super) fn polygon(&self, cell: usize) -> Vec<Point> {
-        let turns = self.turns(cell);
-        self.cells[cell]
-            .iter()
-            .zip(turns)
-            .map(|(&half, turn)| self.moved(self.points[self.start(half)], turn))
-            .collect()
+        let mut turn = [0, 0];
+        let mut polygon = Vec::with_capacity(self.cells[cell].len());
+        for &half in &self.cells[cell] {
+            polygon.push(self.moved(self.points[self.start(half)], turn));
+            let [x, y] = self.shift(half);
+            turn = [turn[0] + x, turn[1] + y];
+        }
+        polygon
     }
 
     /// Area and middle of a cell.
@@ -121,7 +127,8 @@ impl Mesh {
     /// Distance from a place to the nearest junction of a cell.
     pub(super) fn gap(&self, cell: usize, polygon: &[Point], at: Point) -> f64 {
         let nodes = self.cells[cell].iter().zip(polygon).filter(|(half, _)| self.is_node[self.start(**half)]);
-        nodes.map(|(_, p)| libm::hypot(p[0] - at[0], p[1] - at[1])).fold(f64::INFINITY, f64::min)
+        let square = |p: &Point| (p[0] - at[0]) * (p[0] - at[0]) + (p[1] - at[1]) * (p[1] - at[1]);
+        nodes.map(|(_, p)| square(p)).fold(f64::INFINITY, f64::min).sqrt()
     }
 
     /// Whether two sides of a cell are the two faces of one wall.
@@ -239,16 +246,17 @@ impl Mesh {
         let mut anchors = Vec::new();
         // Anchor and shift from the wall's first end, for both sides of every wall.
         let mut apexes = vec![[(NONE, [0, 0]); 2]; self.edges.len()];
-        for cell in 0..self.cells.len() {
+        let middles = parallel::map(self.cells.len(), |cell| {
             let polygon = self.polygon(cell);
             let (area, middle, _) = moments(&polygon);
             let seen = |i: usize| {
-                let room = orientation(polygon[i], polygon[(i + 1) % polygon.len()], middle);
-                room > 1e-9 * area
+                let next = if i + 1 == polygon.len() { 0 } else { i + 1 };
+                orientation(polygon[i], polygon[next], middle) > 1e-9 * area
             };
-            if !(0..polygon.len()).all(seen) {
-                continue;
-            }
+            (0..polygon.len()).all(seen).then_some(middle)
+        });
+        for (cell, middle) in middles.into_iter().enumerate() {
+            let Some(middle) = middle else { continue };
             let anchor = (net.vertices.len() + anchors.len()) as i32;
             anchors.push(middle);
             for (&half, turn) in self.cells[cell].iter().zip(self.turns(cell)) {

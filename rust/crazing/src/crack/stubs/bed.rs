@@ -1,7 +1,5 @@
 //! The drawing that stubs grow in, and the triangles about its edges.
 
-use std::collections::BTreeMap;
-
 use super::Grown;
 use crate::crack::fence::{Fence, FenceView};
 use crate::crack::net::{NONE, Net, NetView};
@@ -23,7 +21,7 @@ pub(super) struct Bed {
     /// The kite about every edge.
     pub(super) kite_of: Vec<usize>,
     /// The kite about two points.
-    about: BTreeMap<[i32; 2], usize>,
+    about: Index,
     /// To the unit of exact work.
     scale: Scale,
 }
@@ -31,13 +29,74 @@ pub(super) struct Bed {
 /// A point, and the periods at which it is seen.
 type Seen = (i32, [i8; 2]);
 
-fn pair(a: i32, b: i32) -> [i32; 2] {
-    [a.min(b), a.max(b)]
+/// Rows of kites by their two ends, whichever is first: lists of rows that share a hash.
+struct Index {
+    /// The last row of every list.
+    last: Vec<u32>,
+    /// The row before each in its list.
+    before: Vec<u32>,
+    /// Bits that a hash is shifted by.
+    shift: u32,
+}
+
+impl Index {
+    const END: u32 = u32::MAX;
+
+    fn of(kites: &[[i32; 4]]) -> Self {
+        let bits = kites.len().next_power_of_two().ilog2().max(4);
+        let mut index =
+            Self { last: vec![Self::END; 1 << bits], before: Vec::with_capacity(kites.len()), shift: 64 - bits };
+        kites.iter().enumerate().for_each(|(row, kite)| index.insert([kite[0], kite[1]], row));
+        index
+    }
+
+    fn list(&self, [a, b]: [i32; 2]) -> usize {
+        let both = (a.min(b) as u64) << 32 | u64::from(a.max(b) as u32);
+        // Fibonacci hashing: the odd number next to 2^64 over the golden ratio.
+        ((both ^ both >> 29).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> self.shift) as usize
+    }
+
+    fn insert(&mut self, ends: [i32; 2], row: usize) {
+        let list = self.list(ends);
+        if row >= self.before.len() {
+            self.before.resize(row + 1, Self::END);
+        }
+        self.before[row] = std::mem::replace(&mut self.last[list], row as u32);
+    }
+
+    fn remove(&mut self, ends: [i32; 2], row: usize) {
+        let list = self.list(ends);
+        let (mut at, next) = (self.last[list], self.before[row]);
+        if at as usize == row {
+            self.last[list] = next;
+            return;
+        }
+        while at != Self::END {
+            let before = self.before[at as usize];
+            if before as usize == row {
+                self.before[at as usize] = next;
+                return;
+            }
+            at = before;
+        }
+    }
+
+    /// The last row about two ends.
+    fn find(&self, ends: [i32; 2], kites: &[[i32; 4]]) -> Option<usize> {
+        let mut row = self.last[self.list(ends)];
+        while let Some(kite) = kites.get(row as usize) {
+            if [kite[0], kite[1]] == ends || [kite[1], kite[0]] == ends {
+                return Some(row as usize);
+            }
+            row = self.before[row as usize];
+        }
+        None
+    }
 }
 
 impl Bed {
     pub(super) fn of(net: NetView<'_>, partner: &[i32], fence: FenceView<'_>, bounds: [f64; 4]) -> Self {
-        let about = fence.kites.iter().enumerate().map(|(row, kite)| (pair(kite[0], kite[1]), row)).collect();
+        let about = Index::of(fence.kites);
         let owned = Net {
             vertices: net.vertices.to_vec(),
             edges: net.edges.to_vec(),
@@ -119,7 +178,7 @@ impl Bed {
             let [left, right] = if side == 0 { [near, far] } else { [far, near] };
             ([row[0], row[1], left.0, right.0], left.1, right.1)
         };
-        self.about.remove(&pair(a, b));
+        self.about.remove([a, b], kite);
         // Points with the periods at which they are seen from the first end; new ones are seen from there.
         let (from, to) = ((a, [0, 0]), (b, end));
         for (apex, new) in [((near, near_shift), tip), ((other, other_shift), foot)] {
@@ -168,7 +227,7 @@ impl Bed {
 
     fn set(&mut self, row: usize, (kite, left, right): ([i32; 4], [i8; 2], [i8; 2]), end: [i8; 2]) {
         let shift = [end[0], end[1], left[0], left[1], right[0], right[1]];
-        self.about.insert(pair(kite[0], kite[1]), row);
+        self.about.insert([kite[0], kite[1]], row);
         if row == self.kites.len() {
             self.kites.push(kite);
             if !self.shifts.is_empty() {
@@ -184,7 +243,7 @@ impl Bed {
 
     /// The triangle on the kite about two points that has its apex at `old` has it at `new` now.
     fn replace(&mut self, [a, b]: [Seen; 2], old: Seen, new: i32) {
-        let Some(&row) = self.about.get(&pair(a.0, b.0)) else { return };
+        let Some(row) = self.about.find([a.0, b.0], &self.kites) else { return };
         let first = if self.kites[row][0] == a.0 { a.1 } else { b.1 };
         for corner in 2..4 {
             let apart = self.shift(row, corner);
@@ -203,13 +262,14 @@ impl Bed {
 
     /// The drawing with vertices before anchors, and the kites of its edges before the others.
     pub(super) fn finish(self) -> Grown {
+        let new = self.new.len() as i32;
         let (vertices, anchors) = (self.net.vertices.len() as i32, self.anchors.len() as i32);
         let numbered = |number: i32| match number {
             _ if number < vertices => number,
-            _ if number < vertices + anchors => number + self.new.len() as i32,
+            _ if number < vertices + anchors => number + new,
             _ => number - anchors,
         };
-        let mut net = self.net.clone();
+        let mut net = self.net;
         net.vertices.extend(&self.new);
         net.cut.resize(net.vertices.len(), false);
         net.edges.iter_mut().for_each(|edge| *edge = edge.map(numbered));
