@@ -15,7 +15,7 @@ use crate::watch::Watch;
 pub(super) const LEVELS: usize = 11;
 
 /// Edges that are cut at a time.
-const SHARE: usize = 1 << 14;
+const AT_ONCE: usize = 1 << 14;
 
 /// The pieces in a region, before they are sorted into bins.
 #[derive(Debug)]
@@ -43,6 +43,9 @@ pub(super) struct Wanted<'a> {
     pub(super) bands: bool,
 }
 
+/// The pieces of some edges, whether these are all, and what they cover.
+type Share = (Vec<Piece>, bool, Option<Bands>);
+
 /// The pieces in and around a window.
 pub(super) fn cut(wanted: Wanted<'_>, threads: usize, watch: Watch<'_>) -> Result<Cut> {
     let Wanted { pattern, grid, window, level, bands } = wanted;
@@ -58,12 +61,12 @@ pub(super) fn cut(wanted: Wanted<'_>, threads: usize, watch: Watch<'_>) -> Resul
         margin = margin.min(enough);
     }
     let region = [left - margin, top - margin, right + margin, bottom + margin];
-    let mut found: Vec<Option<(Vec<Piece>, bool, Option<Bands>)>> = Vec::new();
-    found.resize_with(count.div_ceil(SHARE), || None);
-    let shares = (0..).step_by(SHARE).map(|first| first..count.min(first + SHARE)).zip(&mut found);
+    let mut found: Vec<Option<Share>> = Vec::new();
+    found.resize_with(count.div_ceil(AT_ONCE), || None);
+    let shares = (0..).step_by(AT_ONCE).map(|first| first..count.min(first + AT_ONCE)).zip(&mut found);
     crew::share(
         shares,
-        threads.min(count.div_ceil(SHARE)).max(1),
+        threads.min(count.div_ceil(AT_ONCE)).max(1),
         watch,
         || Ok(()),
         |(), (rows, found), poll| {
