@@ -171,7 +171,7 @@ def brightness(image: ArrayLike, name: str = "image") -> NDArray[np.float64]:
     if array.ndim != 2 and not (array.ndim == 3 and array.shape[2] in (3, 4)):
         raise ValueError(f"{name} has shape {array.shape}; (H, W), (H, W, 3) or (H, W, 4) is wanted")
     if not array.size:
-        raise ValueError(f"{name} has {array.shape[0]} x {array.shape[1]} pixels; one or more is wanted")
+        raise ValueError(f"{name} has {array.shape[0]} x {array.shape[1]} pixels; one pixel or more is wanted")
     if array.dtype.kind == "f":
         _check_finite(array, name)
     if array.ndim == 2:

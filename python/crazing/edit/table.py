@@ -35,7 +35,7 @@ def points(text: str, most: int) -> list[tuple[float, float]]:
     Examples
     --------
     >>> from crazing.edit.table import points
-    >>> points("id,x,y\\n7,0.5,2", 10)
+    >>> points("id,x,y\n7,0.5,2", 10)
     [(0.5, 2.0)]
     >>> points("0,5;2", 10)
     [(0.5, 2.0)]
