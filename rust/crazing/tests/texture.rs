@@ -5,7 +5,7 @@ use crazing::texture::{Maps, Material, Pattern, Sides, View, Window, plates, tex
 use crazing::{Error, Watch};
 
 /// Of all maps below, by any compiler, profile, processor and number of threads.
-const GOLDEN: u64 = 7_556_493_640_090_897_980;
+const GOLDEN: u64 = 13_352_380_562_247_642_398;
 
 /// A spoked wheel of tapers, some of them crossing the edge of the period.
 struct Wheel {
