@@ -20,12 +20,20 @@ from typing import Any
 TEXTS = ("license", "licence", "copying", "notice", "unlicense")
 
 
+def _printed(command: list[str], root: Path) -> str:
+    """What a command prints. Cargo hands its standard input on to the compiler, which would take it for a program."""
+    run = subprocess.run(
+        command, cwd=root, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, encoding="utf-8", check=True
+    )
+    return run.stdout
+
+
 def linked(root: Path) -> list[dict[str, Any]]:
     """The packages that the extension is linked from, by name; without those that only run while it is compiled."""
-    host = subprocess.run(["rustc", "-vV"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    host = _printed(["rustc", "-vV"], root)
     platform = next(line.removeprefix("host: ") for line in host.splitlines() if line.startswith("host: "))
     command = ["cargo", "metadata", "--format-version", "1", "--locked", "--filter-platform", platform]
-    metadata = json.loads(subprocess.run(command, cwd=root, stdout=subprocess.PIPE, text=True, check=True).stdout)
+    metadata = json.loads(_printed(command, root))
     packages = {package["id"]: package for package in metadata["packages"]}
     nodes = {node["id"]: node for node in metadata["resolve"]["nodes"]}
 
