@@ -168,6 +168,18 @@ def test_permissions_and_links_stay(tmp_path):
     assert fresh.stat().st_mode == plain.stat().st_mode
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
+def test_a_pipe_stays_a_pipe_and_gets_the_bytes(tmp_path):
+    path = tmp_path / "pipe.png"
+    os.mkfifo(path)
+    command = [sys.executable, "-c", f"import sys; sys.stdout.buffer.write(open({str(path)!r}, 'rb').read())"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE) as reader:
+        cz.save_png(path, np.eye(9, dtype=bool))
+        assert np.array_equal(np.asarray(Image.open(io.BytesIO(reader.communicate()[0]))), 255 * np.eye(9))
+    assert path.is_fifo()
+    assert [file.name for file in tmp_path.iterdir()] == ["pipe.png"]
+
+
 def test_a_missing_folder_is_an_os_error(tmp_path):
     with pytest.raises(FileNotFoundError):
         cz.save_png(tmp_path / "no" / "a.png", picture((2, 2)))

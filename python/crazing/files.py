@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import os
+import shutil
+import stat
 import tempfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -25,7 +27,8 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     A reader, a crash or a full disk sees the old file or the new one, never a part: the bytes are written to
     ``.tmp-*`` in the same folder, flushed to the disk, renamed, and the folder is flushed. When the block raises,
     nothing is left and `path` is as it was. A killed process leaves at most the ``.tmp-*`` file. An existing file
-    keeps its permissions; a link is followed.
+    keeps its permissions; a link is followed. What is there but no file, as a pipe or ``/dev/null``, stays: it is given
+    the bytes when the block has ended well.
 
     Raises
     ------
@@ -44,6 +47,13 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     ...     path.read_bytes()
     b'whole'
     """
+    if _is_device(path):
+        with tempfile.TemporaryFile() as file:
+            yield file
+            file.seek(0)
+            with open(path, "wb") as device:
+                shutil.copyfileobj(file, device)
+        return
     target = Path(os.path.realpath(path))
     try:
         number, name = tempfile.mkstemp(prefix=".tmp-", dir=target.parent)
@@ -62,6 +72,15 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
             os.unlink(name)
         raise
     _flush_folder(target.parent)
+
+
+def _is_device(path: str | os.PathLike[str]) -> bool:
+    """Whether something is there that takes bytes and is no file: a rename would put a file in its place."""
+    try:
+        mode = os.stat(path).st_mode
+    except OSError:
+        return False
+    return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
 
 
 def _mode(target: Path) -> int:
