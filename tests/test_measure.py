@@ -261,7 +261,7 @@ def test_names_symbols_and_scores() -> None:
     ("arguments", "error", "words"),
     [
         ((np.zeros((3, 3, 3, 3)),), ValueError, "mask has shape"),
-        ((np.zeros((0, 4)),), ValueError, "0 x 4 pixels; one or more is wanted"),
+        ((np.zeros((0, 4)),), ValueError, "0 x 4 pixels; one pixel or more is wanted"),
         (([["a"]],), TypeError, "mask has dtype"),
         ((np.full((3, 3), np.nan),), ValueError, "every pixel must be finite"),
         ((None,), TypeError, "mask has dtype object"),
