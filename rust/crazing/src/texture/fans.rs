@@ -1,7 +1,7 @@
 //! The edges around every vertex in turn: which plate lies where beyond the end of an edge.
 
 use super::Pattern;
-use super::grid::Grid;
+use super::grid::{Grid, both};
 use crate::error::Result;
 
 /// Half-edges that leave each vertex, counter-clockwise; see `faces` for their numbers.
@@ -67,9 +67,9 @@ impl Fans {
 
 /// The vector of an edge, from places on the grid: moving the pattern by whole pixels does not change it.
 fn step(pattern: &Pattern<'_>, grid: &Grid, row: usize) -> Result<[f64; 2]> {
-    let [a, b] = pattern.edges[row].map(|vertex| vertex as usize);
+    let [a, b] = both(|end| pattern.edges[row][end] as usize);
     let (start, end) = (grid.place(pattern.vertices[a], a)?, grid.place(pattern.vertices[b], b)?);
-    let shift = pattern.shifts.get(row).map_or([0; 2], |shift| grid.shift(shift.map(i64::from)));
-    let parts = [0, 1].map(|axis| (end[axis] + shift[axis] - start[axis]) as f64 * f64::from(super::grid::PART));
+    let shift = pattern.shifts.get(row).map_or([0; 2], |shift| grid.shift(both(|axis| i64::from(shift[axis]))));
+    let parts = both(|axis| (end[axis] + shift[axis] - start[axis]) as f64 * f64::from(super::grid::PART));
     Ok([parts[0], -parts[1]])
 }
