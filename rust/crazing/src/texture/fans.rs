@@ -16,7 +16,10 @@ pub(super) struct Fans {
 impl Fans {
     /// Sorts the edges around their vertices.
     pub(super) fn new(pattern: &Pattern<'_>, grid: &Grid) -> Result<Self> {
-        let steps = (0..pattern.edges.len()).map(|row| step(pattern, grid, row)).collect::<Result<Vec<_>>>()?;
+        let mut steps = Vec::with_capacity(pattern.edges.len());
+        for row in 0..pattern.edges.len() {
+            steps.push(step(pattern, grid, row)?);
+        }
         let mut starts = vec![0; pattern.vertices.len() + 1];
         pattern.edges.as_flattened().iter().for_each(|&vertex| starts[vertex as usize + 1] += 1);
         (0..pattern.vertices.len()).for_each(|vertex| starts[vertex + 1] += starts[vertex]);
@@ -26,8 +29,9 @@ impl Fans {
             next[vertex as usize] += 1;
         }
         let mut fans = Self { starts, halves: Vec::new(), steps };
+        let turns: Vec<f64> = (0..halves.len() as u32).map(|half| super::faces::turn(fans.leaves(half))).collect();
         for around in fans.starts.windows(2) {
-            let turn = |half: &u32| super::faces::turn(fans.leaves(*half));
+            let turn = |half: &u32| turns[*half as usize];
             halves[around[0] as usize..around[1] as usize].sort_by(|a, b| turn(a).total_cmp(&turn(b)));
         }
         fans.halves = halves;

@@ -62,8 +62,8 @@ impl Scene<'_> {
             }
             let ((outs, out), (chunks, distances)) = (out.as_chunks_mut::<LANES>(), row.distance.as_chunks::<LANES>());
             let (codes_of, codes) = row.code.as_chunks::<LANES>();
-            for ((out, distances), codes) in outs.iter_mut().zip(chunks).zip(codes_of) {
-                mark(distances, codes, labels, out);
+            for (nth, out) in outs.iter_mut().enumerate() {
+                mark(&chunks[nth], &codes_of[nth], labels, out);
             }
             mark(distances, codes, labels, out);
         }
@@ -81,7 +81,8 @@ impl Scene<'_> {
         }
         let ((outs, out), (chunks, codes)) = (out.as_chunks_mut::<LANES>(), row.code.as_chunks::<LANES>());
         let first = LANES * chunks.len();
-        for (nth, (out, codes)) in outs.iter_mut().zip(chunks).enumerate() {
+        for (nth, out) in outs.iter_mut().enumerate() {
+            let codes = &chunks[nth];
             let cell = cells[codes[0] as usize];
             if is_one(codes) && cell >= 0 {
                 *out = [cell; LANES];
@@ -96,13 +97,15 @@ impl Scene<'_> {
     #[inline(always)]
     fn several_plates(&self, row: &Row<'_>, first: usize, codes: &[u32], cells: &mut [i32], out: &mut [i32]) {
         let mut least = 0;
-        for (out, &code) in out.iter_mut().zip(codes) {
-            *out = cells[code as usize];
-            least = least.min(*out);
+        for (lane, out) in out.iter_mut().enumerate() {
+            *out = cells[codes[lane] as usize];
+            least = if *out < least { *out } else { least };
         }
         if least < 0 {
-            for (x, out) in (first..).zip(out).filter(|(_, out)| **out < 0) {
-                *out = self.cell(row, x, cells);
+            for (lane, out) in out.iter_mut().enumerate() {
+                if *out < 0 {
+                    *out = self.cell(row, first + lane, cells);
+                }
             }
         }
     }
@@ -174,10 +177,15 @@ impl Fans {
 /// The labels of some pixels: of those on the crack that of the nearest piece.
 #[inline(always)]
 fn mark(distances: &[f32], codes: &[u32], labels: &[i32], out: &mut [i32]) {
-    out.fill(-1);
-    if distances.iter().fold(false, |any, &distance| any | (distance < REACH)) {
-        for ((out, &distance), &code) in out.iter_mut().zip(distances).zip(codes) {
-            *out = if distance < REACH { labels[(code / CODES) as usize] } else { *out };
+    let mut near = false;
+    for (lane, out) in out.iter_mut().enumerate() {
+        near |= distances[lane] < REACH;
+        *out = -1;
+    }
+    if near {
+        for (lane, out) in out.iter_mut().enumerate() {
+            let label = labels[(codes[lane] / CODES) as usize];
+            *out = if distances[lane] < REACH { label } else { -1 };
         }
     }
 }
@@ -185,5 +193,9 @@ fn mark(distances: &[f32], codes: &[u32], labels: &[i32], out: &mut [i32]) {
 /// Whether pixels are alike.
 #[inline(always)]
 fn is_one(codes: &[u32; LANES]) -> bool {
-    codes.iter().fold(true, |all, code| all & (*code == codes[0]))
+    let mut all = true;
+    for code in codes {
+        all &= *code == codes[0];
+    }
+    all
 }

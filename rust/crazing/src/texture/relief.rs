@@ -70,10 +70,16 @@ impl Scene<'_> {
             } else {
                 relief = Relief::level(self.profile.top);
             }
-            height.iter_mut().for_each(|out| put(&mut out[first..], |lane| relief.height[lane]));
-            sky.iter_mut().for_each(|out| put(&mut out[first..], |lane| relief.sky[lane]));
-            let [x, y, z] = &relief.normal;
-            normal.iter_mut().for_each(|out| put(&mut out[first..], |lane| [x[lane], y[lane], z[lane]]));
+            if let Some(out) = &mut height {
+                put(&mut out[first..], |lane| relief.height[lane]);
+            }
+            if let Some(out) = &mut sky {
+                put(&mut out[first..], |lane| relief.sky[lane]);
+            }
+            if let Some(out) = &mut normal {
+                let [x, y, z] = &relief.normal;
+                put(&mut out[first..], |lane| [x[lane], y[lane], z[lane]]);
+            }
         }
     }
 
@@ -222,7 +228,6 @@ fn find(row: &Row<'_>, first: usize, ground: &mut Ground, slopes: bool) {
     let (mut dx, mut dy) = ([0.0_f32; LANES], [0.0_f32; LANES]);
     let (mut along, mut length) = ([[0.0_f32; LANES]; 2], [0.0_f32; LANES]);
     let (mut widths, mut lean) = ([[0.0_f32; LANES]; 2], [0.0_f32; LANES]);
-    let last = row.width().min(first + LANES);
     let codes = lanes(&row.code[first..], row.code[first]);
     let middle = |pixel: usize| pixel as i32 * UNIT as i32 + UNIT as i32 / 2;
     let one = codes[0] / CODES;
@@ -232,11 +237,12 @@ fn find(row: &Row<'_>, first: usize, ground: &mut Ground, slopes: bool) {
         for (lane, dx) in dx.iter_mut().enumerate() {
             *dx = middle(first + lane).wrapping_sub(near.start[0]) as f32 * PART;
         }
-        (along, length) = (near.along.map(|part| [part; LANES]), [near.length; LANES]);
+        (along, length) = ([[near.along[0]; LANES], [near.along[1]; LANES]], [near.length; LANES]);
         (widths, lean) = ([[near.radius; LANES], [near.slope; LANES]], [near.lean; LANES]);
     } else {
-        for (lane, (x, &code)) in (first..last).zip(&codes).enumerate() {
-            if let Some(near) = row.page.near.get((code / CODES) as usize) {
+        for lane in 0..LANES.min(row.width() - first) {
+            let x = first + lane;
+            if let Some(near) = row.page.near.get((codes[lane] / CODES) as usize) {
                 dx[lane] = middle(x).wrapping_sub(near.start[0]) as f32 * PART;
                 dy[lane] = middle(row.y).wrapping_sub(near.start[1]) as f32 * PART;
                 (along[0][lane], along[1][lane], length[lane]) = (near.along[0], near.along[1], near.length);
@@ -270,5 +276,9 @@ fn find(row: &Row<'_>, first: usize, ground: &mut Ground, slopes: bool) {
 /// Whether all codes are those of one piece.
 #[inline(always)]
 fn is_one(codes: &[u32; LANES], place: u32) -> bool {
-    codes.iter().fold(true, |all, &code| all & (code / CODES == place))
+    let mut all = true;
+    for code in codes {
+        all &= code / CODES == place;
+    }
+    all
 }
