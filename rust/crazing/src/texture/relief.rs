@@ -132,9 +132,9 @@ impl Scene<'_> {
     fn stand(&self, ground: &Ground, relief: &mut Relief, sky: bool, normal: bool) {
         let (mut by_distance, mut by_radius, mut by_plate) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         if ground.distance.iter().fold(true, |all, &distance| all & (distance >= 0.0)) {
-            for lane in 0..LANES {
+            for (lane, by_distance) in by_distance.iter_mut().enumerate() {
                 let (distance, rise, curl) = (ground.distance[lane], ground.rise[lane], ground.curl[lane]);
-                (relief.height[lane], by_distance[lane]) = self.profile.beside(distance, rise, curl);
+                (relief.height[lane], *by_distance) = self.profile.beside(distance, rise, curl);
             }
             by_plate = [1.0; LANES];
         } else {
