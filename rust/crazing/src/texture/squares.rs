@@ -48,6 +48,10 @@ impl Squares {
                 continue;
             }
             let list = if all.len() > SHORT { list } else { &*all };
+            if let [place] = list[..] {
+                alone(place, page, corner);
+                continue;
+            }
             if list.len() > SHORT {
                 quads.spread(&page.near, list, corner, QUAD, reach);
             }
@@ -97,6 +101,24 @@ impl Spread {
     }
 }
 
+/// A square of a page in which one piece is the nearest everywhere.
+#[inline(always)]
+fn alone(place: u32, page: &mut Page, corner: [usize; 2]) {
+    let piece = page.near[place as usize];
+    let [x, y] = both(|axis| corner[axis] as i32 * UNIT as i32 + UNIT as i32 / 2);
+    let (x, y) = (x.wrapping_sub(piece.start[0]), y.wrapping_sub(piece.start[1]));
+    for row in 0..BLOCK {
+        let (dy, at) = ((y + row as i32 * UNIT as i32) as f32 * PART, (corner[1] + row) * PAGE + corner[0]);
+        let (mut distances, mut codes) = ([0.0_f32; BLOCK], [0_u32; BLOCK]);
+        for lane in 0..BLOCK {
+            let (distance, code) = piece.measure((x + lane as i32 * UNIT as i32) as f32 * PART, dy);
+            (distances[lane], codes[lane]) = (distance, CODES * place + code);
+        }
+        put(&mut page.distance[at..], &distances);
+        put(&mut page.code[at..], &codes);
+    }
+}
+
 /// The nearest of some pieces for 4 x 4 pixels; of equally near ones the first.
 #[inline(always)]
 fn solve(list: &[u32], page: &mut Page, corner: [usize; 2]) {
@@ -121,7 +143,15 @@ fn solve(list: &[u32], page: &mut Page, corner: [usize; 2]) {
     }
     for row in 0..QUAD {
         let at = (corner[1] + row) * PAGE + corner[0];
-        page.distance[at..at + QUAD].copy_from_slice(&best[row * QUAD..][..QUAD]);
-        page.code[at..at + QUAD].copy_from_slice(&code[row * QUAD..][..QUAD]);
+        put(&mut page.distance[at..], &best.as_chunks::<QUAD>().0[row]);
+        put(&mut page.code[at..], &code.as_chunks::<QUAD>().0[row]);
+    }
+}
+
+/// Writes to the beginning of a stretch. Copying slices is a call, which takes longer than so few numbers do.
+#[inline(always)]
+fn put<T: Copy, const N: usize>(out: &mut [T], values: &[T; N]) {
+    if let Some(out) = out.first_chunk_mut() {
+        *out = *values;
     }
 }
