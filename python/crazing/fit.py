@@ -263,7 +263,7 @@ class _Trial:
         found = [measure(recipe.crack(rng=seed), raster=self.side) for seed in self.seeds]
         wanted = [(name, pair) for name, pair in self.wanted.items() if name != "direction"]
         far = [(getattr(each, name) - pair[0]) / _scale(*pair) for each in found for name, pair in wanted]
-        return np.nan_to_num(np.array(far), nan=CAP, posinf=CAP, neginf=-CAP)
+        return np.asarray(np.nan_to_num(np.array(far), nan=CAP, posinf=CAP, neginf=-CAP))
 
     def distance(self, point: NDArray[np.float64]) -> float:
         """As a score."""
@@ -276,7 +276,8 @@ def _lure(deviations: NDArray[np.float64]) -> NDArray[np.float64]:
     Capped, a statistic that begins far off is given up for lost, and the others are served at its cost.
     """
     far = np.abs(deviations)
-    return np.asarray(np.where(far > CAP, CAP * (1 + np.log(np.maximum(far, CAP) / CAP)), far).mean(axis=-1))
+    led: NDArray[np.float64] = np.where(far > CAP, CAP * (1 + np.log(np.maximum(far, CAP) / CAP)), far).mean(axis=-1)
+    return led
 
 
 def _scale(mean: float, deviation: float) -> float:

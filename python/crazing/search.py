@@ -137,4 +137,4 @@ def _foreseen(
     expected = loss(slopes[0] + (draws - middle) / safe @ slopes[1:]).reshape(FORESEEN, DRAWS)
     # Rounded, so that last bits, in which platforms differ, do not choose.
     best = np.round(expected, 6).argmin(axis=1)
-    return draws.reshape(FORESEEN, DRAWS, -1)[np.arange(FORESEEN), best]
+    return np.asarray(draws.reshape(FORESEEN, DRAWS, -1)[np.arange(FORESEEN), best])
