@@ -35,9 +35,10 @@ const SAG: f64 = 0.06;
 const STEP: f64 = 1.4;
 /// An arc as long as this many sides of a piece is too long: a new spoke leaves its middle, or a spoke forks.
 const LONG: f64 = 2.2;
-/// The share of those that are forks, and the most radians beside its spoke that one leads on.
+/// The share of those that are forks, and the most radians beside its spoke that one leads on, for each time as far: it
+/// leaves at about twice that.
 const FORKS: f64 = 0.4;
-const FORKED: f64 = 0.28;
+const FORKED: f64 = 0.22;
 /// The crushed zone: within this part of the reach a piece is broken up by a short spoke, as often as this.
 const CORE: f64 = 0.16;
 const CHIPPED: f64 = 0.6;
@@ -228,8 +229,8 @@ impl Star {
     /// A new spoke in a wedge that has become too wide: from the middle of an arc, or forking off one of its spokes.
     fn part(&mut self, wedge: &Wedge, far: f64, most: f64) {
         let (is_fork, is_first) = (self.rng.unit() < FORKS, self.rng.unit() < 0.5);
-        let (off, straight) = (0.3 + 0.25 * self.rng.unit(), far * (1.5 + 0.6 * self.rng.unit()));
-        let off = (off * wedge.wide).min(FORKED);
+        let (off, straight) = (0.3 + 0.25 * self.rng.unit(), far * (1.6 + 0.8 * self.rng.unit()));
+        let off = (off * wedge.wide).min(FORKED * (straight / far - 1.0));
         let [a, b] = wedge.spokes;
         let (spoke, from, part) = if is_fork && straight < most {
             let (old, off) = if is_first { (a, off) } else { (b, -off) };

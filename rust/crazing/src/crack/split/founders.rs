@@ -12,7 +12,7 @@ const WAYS: [[[i32; 2]; 2]; 4] = [[[1, 0], [0, 1]], [[0, 1], [-1, 0]], [[1, 1], 
 /// Standard deviation of the logarithm of the length by which one of them is chosen.
 const CHOICE: f64 = 0.3;
 /// Waves along the first crack: standard deviations in parts of the way between two of its turns.
-const WAVES: [f64; 3] = [0.055, 0.04, 0.02];
+const WAVES: [f64; 3] = [0.05, 0.015, 0.008];
 /// Pieces of it between the ends of the second.
 const PIECES: usize = 16;
 /// How far from opposite each other the ends of the second crack are, in parts of the first: at least, and at most.
