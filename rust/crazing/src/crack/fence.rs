@@ -57,6 +57,11 @@ impl Fence {
 }
 
 impl FenceView<'_> {
+    /// A copy that owns its arrays.
+    pub fn to_fence(&self) -> Fence {
+        Fence { anchors: self.anchors.to_vec(), kites: self.kites.to_vec(), shifts: self.shifts.to_vec() }
+    }
+
     /// Checks that the fence fits the drawing.
     ///
     /// # Errors

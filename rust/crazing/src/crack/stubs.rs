@@ -6,7 +6,7 @@
 mod bed;
 
 use super::fence::{Fence, FenceView};
-use super::net::{Net, NetView};
+use super::net::{NONE, Net, NetView};
 use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::quantile;
@@ -47,6 +47,21 @@ pub struct Grown {
     pub origin: Vec<i32>,
 }
 
+impl Grown {
+    /// The age of every edge, where those before had one: stubs are the youngest, the later the younger.
+    pub fn ages(&self, before: &[i32]) -> Vec<i32> {
+        let Some(mut youngest) = before.iter().copied().max() else { return Vec::new() };
+        let age = |&origin: &i32| {
+            if origin != NONE {
+                return before[origin as usize];
+            }
+            youngest += 1;
+            youngest
+        };
+        self.origin.iter().map(age).collect()
+    }
+}
+
 /// Grows stubs off the edges of a drawing; `partner` is what [`super::pairs`] gives.
 ///
 /// Along every edge stubs are a Poisson process. One that finds no room on its side grows on the other, or is left
@@ -66,6 +81,19 @@ pub fn stubs(
     key: Key,
     watch: Watch<'_>,
 ) -> Result<Grown> {
+    grown(net.to_net(), partner.to_vec(), fence.to_fence(), bounds, how, key, watch)
+}
+
+/// The same in a drawing of its own.
+pub(super) fn grown(
+    net: Net,
+    partner: Vec<i32>,
+    fence: Fence,
+    bounds: [f64; 4],
+    how: Stubs,
+    key: Key,
+    watch: Watch<'_>,
+) -> Result<Grown> {
     let values = [("rate", how.rate), ("length", how.length), ("spread", how.spread), ("lean", how.lean)];
     for (name, value) in values {
         if !(value.is_finite() && value >= 0.0) {
@@ -74,9 +102,10 @@ pub fn stubs(
     }
     let mut bed = Bed::of(net, partner, fence, bounds);
     if how.rate > 0.0 && how.length > 0.0 {
-        for edge in 0..net.edges.len() {
+        for edge in 0..bed.net.edges.len() {
             watch.poll_at(edge)?;
-            plant(&mut bed, edge, net.length(edge), how, key);
+            let length = bed.net.view().length(edge);
+            plant(&mut bed, edge, length, how, key);
         }
     }
     Ok(bed.finish())

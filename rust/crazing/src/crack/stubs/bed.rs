@@ -1,8 +1,8 @@
 //! The drawing that stubs grow in, and the triangles about its edges.
 
 use super::Grown;
-use crate::crack::fence::{Fence, FenceView};
-use crate::crack::net::{NONE, Net, NetView};
+use crate::crack::fence::Fence;
+use crate::crack::net::{NONE, Net};
 use crate::diagram::scale::{Scale, largest};
 use crate::graph::Point;
 use crate::predicates::orientation;
@@ -95,27 +95,21 @@ impl Index {
 }
 
 impl Bed {
-    pub(super) fn of(net: NetView<'_>, partner: &[i32], fence: FenceView<'_>, bounds: [f64; 4]) -> Self {
-        let about = Index::of(fence.kites);
-        let owned = Net {
-            vertices: net.vertices.to_vec(),
-            edges: net.edges.to_vec(),
-            shifts: net.shifts.to_vec(),
-            period: net.period,
-            cut: net.cut.to_vec(),
-        };
+    pub(super) fn of(net: Net, partner: Vec<i32>, fence: Fence, bounds: [f64; 4]) -> Self {
+        let edges = net.edges.len();
+        let large = largest(&net.vertices).max(largest(&fence.anchors)).max(net.period[0]).max(net.period[1]);
         Self {
-            net: owned,
-            anchors: fence.anchors.to_vec(),
+            about: Index::of(&fence.kites),
+            net,
+            anchors: fence.anchors,
             new: Vec::new(),
             bounds,
-            partner: partner.to_vec(),
-            origin: (0..net.edges.len() as i32).collect(),
-            kites: fence.kites.to_vec(),
-            shifts: fence.shifts.to_vec(),
-            kite_of: (0..net.edges.len()).collect(),
-            about,
-            scale: Scale::of(largest(net.vertices).max(largest(fence.anchors)).max(net.period[0]).max(net.period[1])),
+            partner,
+            origin: (0..edges as i32).collect(),
+            kites: fence.kites,
+            shifts: fence.shifts,
+            kite_of: (0..edges).collect(),
+            scale: Scale::of(large),
         }
     }
 
