@@ -9,6 +9,7 @@ mod graph;
 mod guard;
 mod maze;
 mod measure;
+mod pages;
 mod png;
 mod region;
 mod render;
@@ -18,6 +19,9 @@ mod texture;
 mod tiff;
 
 use pyo3::prelude::*;
+
+#[global_allocator]
+static ALLOCATOR: pages::HugePages = pages::HugePages;
 
 #[pymodule(gil_used = false)]
 mod _core {
