@@ -221,13 +221,9 @@ pub(crate) fn crack_trim<'py>(
 ) -> PyResult<AgedOut<'py>> {
     let view = net.view()?;
     let (fence, partner) = (fence.view(view)?, ends(&partner, view)?);
-    let trimmed = detached(py, |_| {
-        let (anchors, kites) = (fence.anchors.to_vec(), fence.kites.to_vec());
-        let fence = Fence { anchors, kites, shifts: Vec::new() };
-        let net = Net { shifts: Vec::new(), ..view.wrapped() };
-        Aged { net, fence, partner: partner.to_vec(), age }.trimmed(bounds)
-    })?;
-    aged_out(py, trimmed)
+    let wrapped = (!view.shifts.is_empty()).then(|| view.wrapped());
+    let view = wrapped.as_ref().map_or(view, Net::view);
+    aged_out(py, detached(py, |_| crack::trimmed(view, fence, partner, &age, bounds))?)
 }
 
 /// When the crack gets to both ends of every edge.

@@ -71,8 +71,7 @@ pub(crate) fn crack_course<'py>(
     let net = net.view()?;
     let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);
     let (age, how) = (age.as_slice().unwrap_or_default(), steps.course());
-    let Pattern { net, looks } =
-        detached(py, |watch| crack::course(net, fence, partner, age, bounds, how, watch))?;
+    let Pattern { net, looks } = detached(py, |watch| crack::course(net, fence, partner, age, bounds, how, watch))?;
     let [strand, generation, parent] =
         [looks.strand, looks.generation, looks.parent].map(|entries| PyArray1::from_vec(py, entries));
     let (vertices, edges, shifts) = (table(py, net.vertices)?, table(py, net.edges)?, table(py, net.shifts)?);

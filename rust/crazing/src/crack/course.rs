@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use super::fence::{Fence, FenceView};
 use super::hooks::part;
-use super::net::{Net, NetView};
+use super::net::{NONE, Net, NetView};
 use super::pattern::{Pattern, finished};
 use super::roughen::{Roughness, Trace, trace};
 use super::straighten::{Straightening, straighten};
@@ -15,6 +15,7 @@ use super::warp::warp;
 use super::width::Profile;
 use crate::error::Result;
 use crate::graph::Point;
+use crate::parallel;
 use crate::rng::Key;
 use crate::watch::Watch;
 
@@ -93,16 +94,38 @@ pub fn course(
     finished(stage.net(), trace, &stage.partner, &stage.age, how.widths, watch)
 }
 
+/// The anchors of a fence in the order in which kites meet them, without the shifts: sites lie in memory as they were
+/// given, at random, and every step asks for those about each edge.
+fn in_order(fence: FenceView<'_>, vertices: usize) -> Fence {
+    let mut number = vec![NONE; fence.anchors.len()];
+    let (mut order, mut kites) = (Vec::with_capacity(fence.anchors.len()), Vec::with_capacity(fence.kites.len()));
+    let mut numbered = |corner: i32| {
+        if (corner as usize) < vertices || corner == NONE {
+            return corner;
+        }
+        let old = corner as usize - vertices;
+        if number[old] == NONE {
+            number[old] = (vertices + order.len()) as i32;
+            order.push(old);
+        }
+        number[old]
+    };
+    kites.extend(fence.kites.iter().map(|kite| kite.map(&mut numbered)));
+    let anchors = parallel::map(order.len(), |i| fence.anchors[order[i]]);
+    Fence { anchors, kites, shifts: Vec::new() }
+}
+
 impl<'a> Stage<'a> {
     fn of(net: NetView<'a>, fence: FenceView<'a>, partner: &'a [i32], age: &'a [i32]) -> Self {
+        let near = in_order(fence, net.vertices.len());
         Self {
             vertices: net.vertices.into(),
             edges: net.edges.into(),
             shifts: net.shifts.into(),
             period: net.period,
             cut: net.cut.into(),
-            anchors: fence.anchors.into(),
-            kites: fence.kites.into(),
+            anchors: near.anchors.into(),
+            kites: near.kites.into(),
             turns: fence.shifts.into(),
             partner: partner.into(),
             age: age.into(),

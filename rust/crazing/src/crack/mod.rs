@@ -21,7 +21,7 @@ mod walls;
 mod warp;
 mod width;
 
-pub use aged::Aged;
+pub use aged::{Aged, trimmed};
 pub use course::{Course, course};
 pub use fence::{Fence, FenceView};
 pub use growth::arrivals;

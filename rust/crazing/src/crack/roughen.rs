@@ -120,18 +120,23 @@ pub(super) fn trace(
     watch.poll()?;
     let mut places = vec![[0.0; 2]; old + found - edges];
     places[..old].copy_from_slice(&vertices);
-    parallel::grouped(edges, |k| starts[k] - k, &mut places[old..], |range, mut places| {
-        let next = libm::exp2(-how.hurst);
-        let mut heights = [0.0; (1 << DEEPEST) + 1];
-        for k in range.filter(|&k| depths[k] > 0) {
-            let own;
-            (own, places) = places.split_at_mut((1 << depths[k]) - 1);
-            let room = Room::of(moved, fence, k);
-            let heights = &mut heights[..=1 << depths[k]];
-            wavy(heights, how.deviation(room.length), next, key, k);
-            place(moved, &room, &Bow::of(moved, partner, k, rounding), heights, k, own);
-        }
-    });
+    parallel::grouped(
+        edges,
+        |k| starts[k] - k,
+        &mut places[old..],
+        |range, mut places| {
+            let next = libm::exp2(-how.hurst);
+            let mut heights = [0.0; (1 << DEEPEST) + 1];
+            for k in range.filter(|&k| depths[k] > 0) {
+                let own;
+                (own, places) = places.split_at_mut((1 << depths[k]) - 1);
+                let room = Room::of(moved, fence, k);
+                let heights = &mut heights[..=1 << depths[k]];
+                wavy(heights, how.deviation(room.length), next, key, k);
+                place(moved, &room, &Bow::of(moved, partner, k, rounding), heights, k, own);
+            }
+        },
+    );
     Ok(Trace { vertices: places, starts })
 }
 
@@ -224,9 +229,11 @@ fn place(net: NetView<'_>, room: &Room, bow: &Bow, heights: &[f64], edge: usize,
     let count = heights.len() - 1;
     let [a, b] = net.ends(edge);
     let (x, y) = ((b[0] - a[0]) / room.length, (b[1] - a[1]) / room.length);
+    let (is_straight, step) = (bow.is_straight(), 1.0 / count as f64);
     for (place, i) in places.iter_mut().zip(1..count) {
-        let part = i as f64 / count as f64;
-        let bent = if bow.is_straight() { 0.0 } else { room.length * bow.height(part) };
+        // Exact: there are a power of two.
+        let part = i as f64 * step;
+        let bent = if is_straight { 0.0 } else { room.length * bow.height(part) };
         let height = room.within(part * room.length, bent + heights[i]);
         *place = [a[0] + part * (b[0] - a[0]) - height * y, a[1] + part * (b[1] - a[1]) + height * x];
     }
@@ -236,18 +243,23 @@ fn place(net: NetView<'_>, room: &Room, bow: &Bow, heights: &[f64], edge: usize,
 pub(super) fn pieces_of(net: NetView<'_>, starts: &[usize]) -> Vec<[i32; 2]> {
     let old = net.vertices.len();
     let mut pieces = vec![[0; 2]; starts[net.edges.len()]];
-    parallel::grouped(net.edges.len(), |k| starts[k], &mut pieces, |range, pieces| {
-        let first = starts[range.start];
-        for k in range {
-            for piece in starts[k]..starts[k + 1] {
-                // The vertex after the piece; every edge before has one piece more than inner vertices.
-                let after = (old + piece - k) as i32;
-                pieces[piece - first] = [after - 1, after];
+    parallel::grouped(
+        net.edges.len(),
+        |k| starts[k],
+        &mut pieces,
+        |range, pieces| {
+            let first = starts[range.start];
+            for k in range {
+                for piece in starts[k]..starts[k + 1] {
+                    // The vertex after the piece; every edge before has one piece more than inner vertices.
+                    let after = (old + piece - k) as i32;
+                    pieces[piece - first] = [after - 1, after];
+                }
+                pieces[starts[k] - first][0] = net.edges[k][0];
+                pieces[starts[k + 1] - 1 - first][1] = net.edges[k][1];
             }
-            pieces[starts[k] - first][0] = net.edges[k][0];
-            pieces[starts[k + 1] - 1 - first][1] = net.edges[k][1];
-        }
-    });
+        },
+    );
     pieces
 }
 
@@ -267,18 +279,23 @@ fn partners_of(partner: &[i32], starts: &[usize]) -> Vec<i32> {
     };
     let edges = partner.len() / 2;
     let mut partners = vec![NONE; 2 * starts[edges]];
-    parallel::grouped(edges, |k| 2 * starts[k], &mut partners, |range, partners| {
-        let first = 2 * starts[range.start];
-        for k in range {
-            let (start, end) = (2 * starts[k], 2 * starts[k + 1]);
-            for near in (start + 1..end - 1).step_by(2) {
-                partners[near - first] = near as i32 + 1;
-                partners[near + 1 - first] = near as i32;
+    parallel::grouped(
+        edges,
+        |k| 2 * starts[k],
+        &mut partners,
+        |range, partners| {
+            let first = 2 * starts[range.start];
+            for k in range {
+                let (start, end) = (2 * starts[k], 2 * starts[k + 1]);
+                for near in (start + 1..end - 1).step_by(2) {
+                    partners[near - first] = near as i32 + 1;
+                    partners[near + 1 - first] = near as i32;
+                }
+                partners[start - first] = end_of(partner[2 * k]);
+                partners[end - 1 - first] = end_of(partner[2 * k + 1]);
             }
-            partners[start - first] = end_of(partner[2 * k]);
-            partners[end - 1 - first] = end_of(partner[2 * k + 1]);
-        }
-    });
+        },
+    );
     partners
 }
 
@@ -286,9 +303,14 @@ fn partners_of(partner: &[i32], starts: &[usize]) -> Vec<i32> {
 pub(super) fn repeated(starts: &[usize], value: impl Fn(usize) -> i32 + Sync + Send) -> Vec<i32> {
     let edges = starts.len() - 1;
     let mut values = vec![0; starts[edges]];
-    parallel::grouped(edges, |k| starts[k], &mut values, |range, values| {
-        let first = starts[range.start];
-        range.for_each(|k| values[starts[k] - first..starts[k + 1] - first].fill(value(k)));
-    });
+    parallel::grouped(
+        edges,
+        |k| starts[k],
+        &mut values,
+        |range, values| {
+            let first = starts[range.start];
+            range.for_each(|k| values[starts[k] - first..starts[k + 1] - first].fill(value(k)));
+        },
+    );
     values
 }

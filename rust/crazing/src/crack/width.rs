@@ -81,17 +81,22 @@ pub(super) fn widen(
     check(profile)?;
     let longest = strands.length.iter().fold(f64::MIN_POSITIVE, |longest, &length| longest.max(length));
     let shapes = parallel::map(strands.run.len(), |run| Shape::of(whole, strands, profile, key, longest, run));
-    parallel::grouped(whole.edges.len(), |edge| starts[edge], widths, |edges, widths| {
-        let mut rest = widths;
-        for edge in edges {
-            let own;
-            (own, rest) = rest.split_at_mut(starts[edge + 1] - starts[edge]);
-            let run = strands.run_of[edge] as usize;
-            let uneven = Uneven::of(profile, key, strands.strand[run] as usize);
-            let at = |end: u32| faded(net, profile, end);
-            along(&shapes[run], uneven, strands, edge, starts[edge], at, own);
-        }
-    });
+    parallel::grouped(
+        whole.edges.len(),
+        |edge| starts[edge],
+        widths,
+        |edges, widths| {
+            let mut rest = widths;
+            for edge in edges {
+                let own;
+                (own, rest) = rest.split_at_mut(starts[edge + 1] - starts[edge]);
+                let run = strands.run_of[edge] as usize;
+                let uneven = Uneven::of(profile, key, strands.strand[run] as usize);
+                let at = |end: u32| faded(net, profile, end);
+                along(&shapes[run], uneven, strands, edge, starts[edge], at, own);
+            }
+        },
+    );
     Ok(())
 }
 
@@ -230,9 +235,9 @@ impl Shape {
         let [here, there] = strands.alone[run];
         let tip = |end: u32, alone: bool| Tip::of(alone, !net.cut[net.vertex(end)]);
         let generation = strands.generation[first as usize / 2];
-        let full = profile.width
-            * libm::pow(length / longest, profile.hierarchy)
-            * libm::pow(profile.shrink, f64::from(generation));
+        // Any power of 1 is 1.
+        let shrunk = if profile.shrink == 1.0 { 1.0 } else { libm::pow(profile.shrink, f64::from(generation)) };
+        let full = profile.width * libm::pow(length / longest, profile.hierarchy) * shrunk;
         Self {
             full: full * factor(profile.unevenness, key, strand, 0),
             length,
