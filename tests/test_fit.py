@@ -87,6 +87,13 @@ def test_a_mask_without_cracks_is_refused() -> None:
         cz.fit(np.zeros((50, 60)))
 
 
+def test_ground_taken_for_crack_is_refused_at_once() -> None:
+    mask = stamp(cz.crack(n=20, rng=1), 100)
+    with pytest.raises(ValueError, match=r"crack in 9\d% of its pixels.* dark=True what is dark"):
+        cz.fit(~mask)
+    assert cz.fit(~mask, dark=True, budget=0) == cz.fit(mask, budget=0)
+
+
 def test_bad_budgets_are_named() -> None:
     mask = stamp(cz.crack(n=20, rng=1), 100)
     with pytest.raises(ValueError, match="budget"):

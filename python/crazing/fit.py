@@ -113,7 +113,7 @@ def fit(
     Raises
     ------
     TypeError, ValueError
-        If the mask is no picture or a number is out of range.
+        If the mask is no picture, is crack in more than half of its pixels, or a number is out of range.
     CrazingError
         If the mask holds no junction and no dead end to measure.
 
@@ -132,7 +132,13 @@ def fit(
     """
     budget = count(budget, "budget", high=1 << 20)
     seconds = None if seconds is None else number(seconds, "seconds", low=0)
-    parts = crops(as_mask(mask, level=level, dark=dark))
+    cracked = as_mask(mask, level=level, dark=dark)
+    if (share := float(cracked.mean())) > 0.5:
+        raise ValueError(
+            f"mask is crack in {share:.0%} of its pixels; cracks fill at most half of a picture, and with "
+            f"dark={not dark} what is {'bright' if dark else 'dark'} would be"
+        )
+    parts = crops(cracked)
     found = [measure(part) for part in parts]
     wanted = _wanted(found)
     if not {"i_nodes", "intensity"} <= wanted.keys() or wanted["intensity"][0] == 0:

@@ -257,7 +257,7 @@ class Recipe:
             Plates are finer where this is larger: an image over the bounds, row 0 at the top, see
             :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units).
         bounds : (xmin, ymin, xmax, ymax), optional
-            What the pattern is clipped to, data units.
+            What the pattern is clipped to, data units; by default as in :func:`crazing.crack`.
         period : (width, height), optional
             What is repeated, data units.
         rng : int, numpy.random.Generator or None, optional
@@ -495,7 +495,7 @@ def crack(
         :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units).
     bounds : (xmin, ymin, xmax, ymax), optional
         What the pattern is clipped to, data units. By default the unit square without `points`, else their bounding
-        box grown by a tenth.
+        box, grown by half their mean spacing and by no more than a tenth.
     period : (width, height), optional
         Make a pattern that repeats: cracks leave on one side and come in on the opposite one. Excludes `bounds`.
     rng : int, numpy.random.Generator or None, optional
