@@ -1,8 +1,10 @@
 //! Curves and skeletons of point samples, one method a file.
 
+mod beliefs;
 mod boxes;
 mod branches;
 mod bumps;
+mod candidates;
 mod cost;
 mod curve;
 mod disc;
@@ -24,7 +26,7 @@ mod spacing;
 mod tree;
 
 pub use branches::{Measure, branches};
-pub use curve::curve;
+pub use curve::{curve, curve_edges};
 pub use gabriel::gabriel;
 pub use local::{Local, edge_filter, edge_filter_among, filtered_among, two_pass, two_pass_among};
 pub use longest::longest;
