@@ -164,6 +164,19 @@ pub(crate) fn shared<T>(mut all: &mut [T], counts: impl Iterator<Item = usize>) 
     })
 }
 
+/// `f` of ranges that make up `0..len`, each with the items of its own: those of `i` are the ones from `start(i)` to
+/// `start(i + 1)`.
+pub(crate) fn grouped<T: Send>(
+    len: usize,
+    start: impl Fn(usize) -> usize,
+    items: &mut [T],
+    f: impl Fn(Range<usize>, &mut [T]) + Sync + Send,
+) {
+    let (count, sizes) = (items.len(), all_ranges(len).map(|range| start(range.end) - start(range.start)));
+    let all = all_ranges(len).zip(shared(items, sizes)).collect();
+    parts(count, all, |(range, items)| f(range, items));
+}
+
 /// `f` of each of some parts that hold `len` items in all, in any order.
 pub(crate) fn parts<P: Send>(len: usize, parts: Vec<P>, f: impl Fn(P) + Sync + Send) {
     choose(len, (parts, f), |(parts, f)| parts.into_iter().for_each(f), |(parts, f)| parts.into_par_iter().for_each(f));
