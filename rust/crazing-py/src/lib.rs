@@ -28,7 +28,9 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::crack::branches::{crack_parted, crack_roughen, crack_stubs};
+    use crate::crack::branches::{crack_part, crack_roughen, crack_stubs};
+    #[pymodule_export]
+    use crate::crack::course::crack_course;
     #[pymodule_export]
     use crate::crack::{
         crack_arrivals, crack_impact, crack_pairs, crack_spacing, crack_split, crack_straighten, crack_trim,
@@ -58,8 +60,8 @@ mod _core {
     };
     #[pymodule_export]
     use crate::skeleton::{
-        axis_edges, branches, crust_mask, curve, edge_filter, filtered_axis, initial, longest_path, peeled, poles,
-        poles_axis, sides, two_pass, without_bumps,
+        axis_edges, branches, crust_mask, curve, curve_edges, edge_filter, filtered_axis, initial, longest_path,
+        peeled, poles, poles_axis, sides, two_pass, without_bumps,
     };
     #[pymodule_export]
     use crate::texture::{extent, plates, texture};
