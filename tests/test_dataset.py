@@ -56,10 +56,10 @@ def test_distance_is_in_pixels() -> None:
 @pytest.mark.parametrize("preset", ["porcelain", "glaze", "glass-impact", "painting-dutch", "ice"])
 def test_masks_of_hairlines_are_whole(preset: str) -> None:
     ndimage = pytest.importorskip("scipy.ndimage")
-    made = cz.dataset(1, presets=preset, size=512, rng=5)[0]
+    made = cz.dataset(1, presets=preset, size=256, rng=5)[0]
     pieces = ndimage.label(made.labels["mask"], np.ones((3, 3)))[1]
     assert pieces <= made.crack.graph.components
-    bare = cz.dataset(1, presets=preset, size=512, thinnest=0, rng=5)[0]
+    bare = cz.dataset(1, presets=preset, size=256, thinnest=0, rng=5)[0]
     assert ndimage.label(bare.labels["mask"], np.ones((3, 3)))[1] > pieces
     assert (made.labels["mask"] >= bare.labels["mask"]).all()
 
