@@ -280,7 +280,9 @@ class Recipe:
             raise ValueError("bounds and period are both given; a periodic picture is one period")
         if points is not None and self.generator != "maze":
             raise ValueError(f"points are given; the generator {self.generator!r} takes none")
-        box = None if points is not None and bounds is None else bounds_tuple(bounds or (0.0, 0.0, *(torus or (1, 1))))
+        box = None if bounds is None else bounds_tuple(bounds)
+        if box is None and points is None:
+            box = (0.0, 0.0, *(torus or (1.0, 1.0)))
         site = Site(self, box, torus, source, density)
         drawing, unit = site.maze(points, seed) if self.generator == "maze" else site.aged(seed)
         return self._course(site, drawing, unit, seed, width).crack(drawing)

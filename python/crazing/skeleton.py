@@ -242,8 +242,9 @@ def curve(points: ArrayLike | Diagram) -> PlanarGraph:
     Returns
     -------
     PlanarGraph
-        Vertices are the sites of the diagram, edges are Delaunay edges in its order. No site has more than two;
-        `polylines` gives the curves.
+        Vertices are the sites of the diagram. Edges are Delaunay edges in its order, then some that each pass across
+        one of the others, as a curve does where samples are too few: about one in a hundred on outlines of land, none
+        on a smooth curve. No two edges cross, and no site has more than two of them; `polylines` gives the curves.
 
     Raises
     ------
@@ -254,10 +255,11 @@ def curve(points: ArrayLike | Diagram) -> PlanarGraph:
 
     Notes
     -----
-    The one-step crust, with edges exchanged along short trails wherever a sample has not two edges or the curve
-    turns sharply, as long as that lowers a cost of edge lengths beside their surroundings, turns, uneven lengths, free
-    ends and small rings. Source: after Gold, Snoeyink 2001 (the crust) and Ohrhallinger, Mudur 2013 (every sample wants
-    two cheap edges); the cost is our own.
+    The one-step crust, but for where a sample has not two edges, the curve turns sharply, or a ring is small. There a
+    cost of edge lengths beside their surroundings, turns, uneven lengths, free ends and small rings is lowered: first
+    samples tell each other what each edge is worth to them until they agree, then edges are exchanged along short
+    trails. Source: after Gold, Snoeyink 2001 (the crust), Ohrhallinger, Mudur 2013 (every sample wants two cheap edges),
+    Bayati, Shah, Sharma 2008 (max-product) and Lin, Kernighan 1973 (trails); the cost is our own.
 
     Examples
     --------
@@ -268,7 +270,7 @@ def curve(points: ArrayLike | Diagram) -> PlanarGraph:
     (18, {2})
     """
     diagram = as_diagram(points)
-    return _crust_graph(diagram, _core.curve(diagram.arrays))
+    return PlanarGraph(diagram.sites, _core.curve_edges(diagram.arrays))
 
 
 def crust(points: ArrayLike | Diagram, *, method: str = "two-pass") -> PlanarGraph:
@@ -526,7 +528,8 @@ def _axis_graph(diagram: Diagram, mask: Mask) -> PlanarGraph:
 
 def _one_step(diagram: Diagram) -> Skeleton:
     mask = _one_step_mask(diagram)
-    return Skeleton(diagram, "one-step", _crust_graph(diagram, mask), _axis_graph(diagram, ~mask), mask, ~mask)
+    rest = ~mask
+    return Skeleton(diagram, "one-step", _crust_graph(diagram, mask), _axis_graph(diagram, rest), mask, rest)
 
 
 def _edge_filter(diagram: Diagram) -> Skeleton:

@@ -43,6 +43,13 @@ pub(crate) fn curve<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Mask<
     Ok(PyArray1::from_vec(py, detached(py, |watch| skeleton::curve(view, watch))?))
 }
 
+/// Rows of the edges of the curve through all samples.
+#[pyfunction]
+pub(crate) fn curve_edges<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+    let view = arrays.view()?;
+    table(py, detached(py, |watch| skeleton::curve_edges(view, watch))?)
+}
+
 type Sides<'py> = (Mask<'py>, Mask<'py>, Bound<'py, PyArray1<f64>>);
 
 /// Whether each dual edge is inside the rings of the masked edges, whether one passes between its ends, and its arc
@@ -183,7 +190,7 @@ pub(crate) fn axis_edges<'py>(
     arrays: Arrays<'py>,
     mask: PyReadonlyArray1<'py, bool>,
 ) -> PyResult<Bound<'py, PyArray2<i32>>> {
-    let view = arrays.view()?;
-    let mask = column(&mask, "mask", view.edges.len())?;
+    let view = arrays.duals()?;
+    let mask = column(&mask, "mask", view.dual_edges.len())?;
     table(py, detached(py, |_| Ok(skeleton::axis_edges(view, mask)))?)
 }

@@ -6,22 +6,24 @@
 use crate::graph::Point;
 
 /// Full turn back, beside an edge as long as its surroundings.
-const TURN: f64 = 2.0;
-/// Part of half a turn at which half of that is reached: the first degrees cost most, so that the turning gathers in
-/// few corners.
-const SOFT: f64 = 0.5;
+const TURN: f64 = 3.0;
+/// Part of half a turn at which half as much is reached as there would be without end: the first degrees cost most, so
+/// that the turning gathers in few corners.
+const SOFT: f64 = 1.0;
 /// Edges at a site whose lengths differ by a factor e.
 const RATIO: f64 = 0.3;
 /// Logarithm of the lengths beyond which it costs no more.
 const RATIO_MOST: f64 = 2.0;
+/// An edge across one of the diagram, beside one of it: one in a hundred edges of the outlines of land is such.
+pub(super) const ACROSS: f64 = 0.3;
 /// An end that is free.
-const FREE: f64 = 8.0;
+pub(super) const FREE: f64 = 8.0;
 /// A ring of three sites; larger ones cost less.
 const RING: f64 = 4.0;
 /// Sites of a ring that costs nothing for its smallness.
 pub(super) const RING_FREE: usize = 13;
 /// Costs at a site beyond this make the search begin there.
-pub(super) const SUSPECT: f64 = 0.6 * TURN;
+pub(super) const SUSPECT: f64 = 0.8;
 
 /// An edge as seen from a site.
 #[derive(Clone, Copy)]

@@ -1,9 +1,15 @@
 //! Curves through all samples: the one-step crust made a manifold that takes corners.
 //!
-//! A curve is a choice of Delaunay edges, at most two at a site. Its cost is small when edges are short beside their
-//! surroundings, go straight on or turn in few places, and leave no end; see [`cost`](super::cost). The search starts
-//! from the one-step crust and exchanges edges along short trails, each of which begins where something is amiss.
+//! A curve is a choice of candidate edges, at most two at a site, none across another. Its cost is small when edges are
+//! short beside their surroundings, go straight on or turn in few places, and leave no end; see [`cost`](super::cost).
+//! The search starts from the one-step crust. Where that is amiss, the sites about first agree on what would be cheapest
+//! for all of them, see [`beliefs`](super::beliefs); then edges are exchanged along short trails, each of which begins
+//! where something is amiss still.
 
+use std::collections::BTreeSet;
+
+use super::beliefs::beliefs;
+use super::candidates::Candidates;
 use super::cost::{self, End};
 use super::{one_step, spacing};
 use crate::diagram::DiagramView;
@@ -13,8 +19,12 @@ use crate::graph::Point;
 use crate::incidence::Incidence;
 use crate::watch::Watch;
 
-/// Most edges of a trail. Longer ones found nothing more on the silhouettes the costs were set on.
-const TRAIL: usize = 6;
+/// Most edges of a trail. Longer ones find little more for twice the time.
+const TRAIL: usize = 8;
+/// What a trail may have lost while it goes on, beside what the site at its end costs.
+const SLACK: f64 = 1.0;
+/// Edges from a site that is amiss to those that have a say.
+const REACH: usize = 6;
 /// Gains below this are rounding.
 const GAIN: f64 = 1e-9;
 /// Exchanges a site may start: costs only fall, so this is never met but where rounding goes in a circle.
@@ -27,35 +37,31 @@ const EXCHANGES: usize = 20;
 ///
 /// # Source
 /// The idea that each sample wants two edges, cheap ones, is that of Ohrhallinger, Mudur: An Efficient Algorithm for
-/// Determining an Aesthetic Shape Connecting Unorganized 2D Points (2013); the exchange along trails is that of Lin,
-/// Kernighan: An Effective Heuristic Algorithm for the Traveling-Salesman Problem (1973). The costs are our own.
+/// Determining an Aesthetic Shape Connecting Unorganized 2D Points (2013). That sites tell each other what an edge is
+/// worth is the max-product algorithm of Bayati, Shah, Sharma: Max-Product for Maximum Weight Matching (2008); the
+/// exchange along trails is that of Lin, Kernighan: An Effective Heuristic Algorithm for the Traveling-Salesman Problem
+/// (1973). The costs are our own.
 pub fn curve(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Vec<bool>> {
     let crust = one_step(view)?;
-    let mut draft = Draft::of(view, &crust);
-    let mut amiss: Vec<usize> = (0..draft.sites.len()).filter(|&v| draft.is_amiss(v)).collect();
-    let doubtful: Vec<usize> = amiss.iter().copied().filter(|&v| draft.ends(v).count() != 2).collect();
-    draft.thin(&crust);
-    draft.settle();
-    while !amiss.is_empty() {
-        for &v in &amiss {
-            watch.poll()?;
-            draft.improve(v);
-        }
-        // Where nothing has changed since it was last looked at, nothing would be found.
-        let fresh = |v: &usize| draft.fresh[*v];
-        let again = (0..draft.sites.len()).filter(fresh).filter(|&v| draft.is_amiss(v));
-        amiss = again.chain(doubtful.iter().copied().filter(fresh)).collect();
-        amiss.sort_unstable();
-        amiss.dedup();
-    }
-    Ok(draft.chosen)
+    Ok(Draft::of(view, &crust, Candidates::of_diagram(view)).finished(watch)?.chosen)
+}
+
+/// The edges of a curve that may also pass between two sites across one edge of the diagram, as it does in narrow straits
+/// with few samples: those of the diagram in its order, then those across. No two of them cross.
+///
+/// # Errors
+/// [`crate::Error::TooFewSites`], [`crate::Error::Collinear`], [`crate::Error::Interrupted`].
+pub fn curve_edges(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Vec<[i32; 2]>> {
+    let crust = one_step(view)?;
+    let draft = Draft::of(view, &crust, Candidates::with_across(view)).finished(watch)?;
+    let each = draft.net.edges.iter().zip(&draft.chosen);
+    Ok(each.filter(|(_, chosen)| **chosen).map(|(&edge, _)| edge).collect())
 }
 
 /// A choice of edges that is being improved.
-struct Draft<'a> {
-    view: DiagramView<'a>,
+struct Draft {
     sites: Vec<Point>,
-    about: Incidence,
+    net: Candidates,
     /// Cost of every edge, were it chosen.
     price: Vec<f64>,
     chosen: Vec<bool>,
@@ -73,30 +79,50 @@ struct Draft<'a> {
 struct Trail {
     edges: Vec<u32>,
     sites: Vec<usize>,
+    /// Cost of the small ring it begins on, which it may open.
+    credit: f64,
 }
 
-impl<'a> Draft<'a> {
-    fn of(view: DiagramView<'a>, crust: &[bool]) -> Self {
+impl Draft {
+    fn of(view: DiagramView<'_>, crust: &[bool], net: Candidates) -> Self {
         let scale = Scale::of(largest(view.sites));
         let sites: Vec<Point> = view.sites.iter().map(|&p| scale.down(p)).collect();
-        let about = Incidence::of(sites.len(), view.edges);
-        let spacing = spacing::spacing(view, &sites, &about, crust);
+        let spacing = spacing::spacing(view, &sites, &Incidence::of(sites.len(), view.edges), crust);
         let price = |&[a, b]: &[i32; 2]| {
             let (a, b) = (a as usize, b as usize);
             cost::edge(cost::distance(sites[a], sites[b]), spacing[a], spacing[b])
         };
-        let price = view.edges.iter().map(price).collect();
+        let mut price: Vec<f64> = net.edges.iter().map(price).collect();
+        price[view.edges.len()..].iter_mut().for_each(|price| *price += cost::ACROSS);
+        let mut chosen = crust.to_vec();
+        chosen.resize(net.edges.len(), false);
         let count = sites.len();
         Self {
-            view,
             sites,
-            about,
+            net,
             price,
-            chosen: crust.to_vec(),
+            chosen,
             degrees: vec![0; count],
             before: vec![0.0; count],
             fresh: vec![true; count],
             left: vec![EXCHANGES; count],
+        }
+    }
+
+    /// The curve with nothing left to improve.
+    fn finished(mut self, watch: Watch<'_>) -> Result<Self> {
+        self.agree(watch)?;
+        self.settle();
+        loop {
+            // Where nothing has changed since it was last looked at, nothing would be found.
+            let amiss: Vec<usize> = (0..self.sites.len()).filter(|&v| self.fresh[v] && self.is_amiss(v)).collect();
+            if amiss.is_empty() {
+                return Ok(self);
+            }
+            for v in amiss {
+                watch.poll()?;
+                self.improve(v);
+            }
         }
     }
 
@@ -108,36 +134,43 @@ impl<'a> Draft<'a> {
         }
     }
 
-    fn other(&self, k: u32, v: usize) -> usize {
-        let [a, b] = self.view.edges[k as usize].map(|end| end as usize);
-        if a == v { b } else { a }
-    }
-
     /// The chosen edges at a site.
     fn ends(&self, v: usize) -> impl Iterator<Item = u32> {
-        self.about.at(v).iter().copied().filter(|&k| self.chosen[k as usize])
+        self.net.about.at(v).iter().copied().filter(|&k| self.chosen[k as usize])
+    }
+
+    /// An edge as seen from a site.
+    fn end(&self, k: u32, v: usize) -> End {
+        End::of(self.sites[v], self.sites[self.net.other(k, v)])
     }
 
     fn cost_at(&self, v: usize) -> f64 {
-        let place = |k: u32| End::of(self.sites[v], self.sites[self.other(k, v)]);
-        let mut ends = self.ends(v);
-        cost::site([ends.next().map(place), ends.next().map(place)])
+        let mut ends = self.ends(v).map(|k| self.end(k, v));
+        cost::site([ends.next(), ends.next()])
     }
 
+    /// Whether the site has not two edges, turns sharply, or is on a small ring.
     fn is_amiss(&self, v: usize) -> bool {
-        self.ends(v).count() != 2 || self.cost_at(v) > cost::SUSPECT
+        self.ends(v).count() != 2 || self.cost_at(v) > cost::SUSPECT || self.ring(v).is_some()
     }
 
-    /// Drops the dearest edges between sites that have too many, then those at either one.
-    fn thin(&mut self, crust: &[bool]) {
-        let mut order: Vec<usize> = (0..crust.len()).filter(|&k| crust[k]).collect();
-        order.sort_by(|&a, &b| self.price[b].total_cmp(&self.price[a]));
-        for both in [true, false] {
-            for &k in &order {
-                let [a, b] = self.view.edges[k].map(|end| self.ends(end as usize).count() > 2);
-                self.chosen[k] &= !(if both { a && b } else { a || b });
-            }
+    /// Lets all sites about those amiss agree on their edges.
+    fn agree(&mut self, watch: Watch<'_>) -> Result<()> {
+        let amiss: Vec<usize> = (0..self.sites.len()).filter(|&v| self.is_amiss(v)).collect();
+        let mut active = vec![false; self.sites.len()];
+        self.around(amiss).into_iter().for_each(|v| active[v] = true);
+        let pair = |v: usize, ends: [u32; 2]| cost::site(ends.map(|k| Some(self.end(k, v))));
+        let worth = beliefs(&self.net, &self.price, &active, &self.chosen, pair, watch)?;
+        let is_open = |k: &usize| self.net.edges[*k].iter().any(|&end| active[end as usize]);
+        let mut order: Vec<usize> = (0..worth.len()).filter(is_open).collect();
+        order.iter().for_each(|&k| self.chosen[k] = false);
+        order.retain(|&k| worth[k] < 0.0);
+        order.sort_by(|&a, &b| worth[a].total_cmp(&worth[b]));
+        for k in order {
+            let is_full = self.net.edges[k].iter().any(|&end| self.ends(end as usize).count() > 1);
+            self.chosen[k] = !is_full && !self.net.is_barred(k as u32, &self.chosen);
         }
+        Ok(())
     }
 
     /// Makes exchanges that begin at a site until none helps.
@@ -149,8 +182,9 @@ impl<'a> Draft<'a> {
     }
 
     fn exchange(&mut self, v: usize, add: bool) -> bool {
-        let mut trail = Trail { edges: Vec::with_capacity(TRAIL), sites: vec![v] };
-        let found = self.walk(v, add, -self.before[v], &mut trail);
+        let credit = self.rings(&[v]);
+        let mut trail = Trail { edges: Vec::with_capacity(TRAIL), sites: vec![v], credit };
+        let found = self.walk(v, add, -self.before[v], 0.0, &mut trail);
         if found {
             for &v in &trail.sites {
                 self.before[v] = self.cost_at(v);
@@ -163,38 +197,45 @@ impl<'a> Draft<'a> {
 
     /// Marks all sites from which a trail could pass those of this one.
     fn freshen(&mut self, trail: &Trail) {
-        let mut reached = trail.sites.clone();
-        reached.sort_unstable();
-        reached.dedup();
-        let mut seen: std::collections::BTreeSet<usize> = reached.iter().copied().collect();
-        for _ in 0..TRAIL {
-            let around = reached.iter().flat_map(|&v| self.about.at(v).iter().map(move |&k| (k, v)));
-            let ahead: Vec<usize> = around.map(|(k, v)| self.other(k, v)).collect();
+        self.around(trail.sites.clone()).into_iter().for_each(|v| self.fresh[v] = true);
+    }
+
+    /// All sites within reach of some.
+    fn around(&self, mut reached: Vec<usize>) -> BTreeSet<usize> {
+        let mut seen: BTreeSet<usize> = reached.iter().copied().collect();
+        for _ in 0..REACH {
+            let around = reached.iter().flat_map(|&v| self.net.about.at(v).iter().map(move |&k| (k, v)));
+            let ahead: Vec<usize> = around.map(|(k, v)| self.net.other(k, v)).collect();
             reached = ahead.into_iter().filter(|&u| seen.insert(u)).collect();
         }
-        seen.into_iter().for_each(|v| self.fresh[v] = true);
+        seen
     }
 
     /// Goes on from the last site of the trail with an edge to add or to drop; true, with the edges exchanged, as soon
     /// as that makes the curve cheaper, false with everything as it was. `spent` is the price of the edges so far, less
     /// what the sites passed have cost.
-    fn walk(&mut self, v: usize, add: bool, spent: f64, trail: &mut Trail) -> bool {
-        if trail.edges.len() == TRAIL {
+    fn walk(&mut self, v: usize, add: bool, spent: f64, passed: f64, trail: &mut Trail) -> bool {
+        if trail.edges.len() >= TRAIL {
             return false;
         }
-        for i in 0..self.about.at(v).len() {
-            let k = self.about.at(v)[i];
+        for i in 0..self.net.about.at(v).len() {
+            let k = self.net.about.at(v)[i];
             if self.chosen[k as usize] == add || trail.edges.contains(&k) {
                 continue;
             }
-            let u = self.other(k, v);
+            if add && self.net.is_barred(k, &self.chosen) {
+                continue;
+            }
+            let u = self.net.other(k, v);
             let price = if add { self.price[k as usize] } else { -self.price[k as usize] };
             let spent = spent + price - if trail.sites.contains(&u) { 0.0 } else { self.before[u] };
             self.switch(k);
             trail.edges.push(k);
             trail.sites.push(u);
             let full = self.degrees[u];
-            if self.helps(spent, trail) || (full <= 3 && self.walk(u, !add, spent, trail)) {
+            let passed = passed + self.cost_at(v);
+            let hopeful = full <= 3 && spent + passed < trail.credit + SLACK;
+            if self.helps(spent, trail) || (hopeful && self.walk(u, !add, spent, passed, trail)) {
                 return true;
             }
             trail.sites.pop();
@@ -208,14 +249,14 @@ impl<'a> Draft<'a> {
     fn switch(&mut self, k: u32) {
         let chosen = !self.chosen[k as usize];
         self.chosen[k as usize] = chosen;
-        for end in self.view.edges[k as usize] {
+        for end in self.net.edges[k as usize] {
             self.degrees[end as usize] = self.degrees[end as usize].wrapping_add_signed(if chosen { 1 } else { -1 });
         }
     }
 
     /// Whether the exchange leaves no site with three edges and costs less than it saves.
     fn helps(&mut self, spent: f64, trail: &Trail) -> bool {
-        if spent >= -GAIN || trail.sites.iter().any(|&v| self.degrees[v] > 2) {
+        if spent >= trail.credit - GAIN || trail.sites.iter().any(|&v| self.degrees[v] > 2) {
             return false;
         }
         let mut sum = spent;
@@ -223,7 +264,7 @@ impl<'a> Draft<'a> {
             if !trail.sites[..i].contains(&v) {
                 sum += self.cost_at(v);
                 // Costs are positive: what is lost by now stays lost.
-                if sum >= -GAIN {
+                if sum >= trail.credit - GAIN {
                     return false;
                 }
             }
@@ -262,7 +303,7 @@ impl<'a> Draft<'a> {
         let (mut ring, mut at, mut last) = (vec![v], v, u32::MAX);
         while ring.len() < cost::RING_FREE {
             last = self.ends(at).find(|&k| k != last)?;
-            at = self.other(last, at);
+            at = self.net.other(last, at);
             if at == v {
                 return Some(ring);
             }

@@ -1,6 +1,6 @@
 //! The nearest pieces of a page of pixels: candidates are left out from square to ever smaller square.
 
-use super::grid::{PART, UNIT};
+use super::grid::{PART, UNIT, both};
 use super::near::{CODES, Near};
 use super::nearest::{PAGE, Page, limit};
 
@@ -64,7 +64,7 @@ impl Spread {
     #[inline(always)]
     fn spread(&mut self, near: &[Near], list: &[u32], corner: [usize; 2], side: usize, reach: f32) {
         let step = side as i32 * UNIT as i32;
-        let [x, y] = corner.map(|pixel| pixel as i32 * UNIT as i32 + step / 2);
+        let [x, y] = both(|axis| corner[axis] as i32 * UNIT as i32 + step / 2);
         let mut best = [f32::INFINITY; LANES];
         self.distances.clear();
         for &place in list {
@@ -79,7 +79,10 @@ impl Spread {
             }
             self.distances.push(distances);
         }
-        let limits = best.map(|best| limit(best, side, reach));
+        let mut limits = [0.0_f32; LANES];
+        for lane in 0..LANES {
+            limits[lane] = limit(best[lane], side, reach);
+        }
         self.lists.iter_mut().for_each(Vec::clear);
         for (&place, distances) in list.iter().zip(&self.distances) {
             let mut kept = 0_u32;
@@ -99,7 +102,7 @@ impl Spread {
 fn solve(list: &[u32], page: &mut Page, corner: [usize; 2]) {
     let mut best = [f32::INFINITY; LANES];
     let mut code = [0_u32; LANES];
-    let [x, y] = corner.map(|pixel| pixel as i32 * UNIT as i32 + UNIT as i32 / 2);
+    let [x, y] = both(|axis| corner[axis] as i32 * UNIT as i32 + UNIT as i32 / 2);
     for &place in list {
         let piece = &page.near[place as usize];
         let (x, y) = (x.wrapping_sub(piece.start[0]), y.wrapping_sub(piece.start[1]));

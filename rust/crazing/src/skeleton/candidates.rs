@@ -1,0 +1,89 @@
+//! The edges a curve may be made of: those of the diagram, and on request the other diagonal of two triangles.
+
+use crate::diagram::DiagramView;
+use crate::graph::Point;
+use crate::incidence::Incidence;
+use crate::predicates::orientation;
+
+/// No edge.
+const NONE: u32 = u32::MAX;
+
+/// Edges of the diagram in its order, then those across them.
+pub(super) struct Candidates {
+    pub(super) edges: Vec<[i32; 2]>,
+    /// Rows of `edges` at every site.
+    pub(super) about: Incidence,
+    /// Which edge of the diagram each later one crosses.
+    crossed: Vec<u32>,
+    /// For every edge of the diagram the one across it.
+    across: Vec<u32>,
+    /// The triangles on both sides of every edge of the diagram.
+    duals: Vec<[i32; 2]>,
+    /// Edges of every triangle.
+    sides: Vec<[u32; 3]>,
+}
+
+impl Candidates {
+    /// The edges of the diagram alone.
+    pub(super) fn of_diagram(view: DiagramView<'_>) -> Self {
+        let (edges, about) = (view.edges.to_vec(), Incidence::of(view.sites.len(), view.edges));
+        Self { edges, about, crossed: Vec::new(), across: Vec::new(), duals: Vec::new(), sides: Vec::new() }
+    }
+
+    /// And those across, wherever two triangles make a convex quadrilateral.
+    pub(super) fn with_across(view: DiagramView<'_>) -> Self {
+        let (mut edges, mut crossed) = (view.edges.to_vec(), Vec::new());
+        let mut across = vec![NONE; edges.len()];
+        for (k, &duals) in view.dual_edges.iter().enumerate() {
+            if let Some(edge) = diagonal(view, view.edges[k], duals) {
+                across[k] = edges.len() as u32;
+                crossed.push(k as u32);
+                edges.push(edge);
+            }
+        }
+        let about = Incidence::of(view.sites.len(), &edges);
+        Self { edges, about, crossed, across, duals: view.dual_edges.to_vec(), sides: sides(view) }
+    }
+
+    /// The end of an edge that is not `v`.
+    pub(super) fn other(&self, k: u32, v: usize) -> usize {
+        let [a, b] = self.edges[k as usize].map(|end| end as usize);
+        if a == v { b } else { a }
+    }
+
+    /// Whether an edge crosses one of those chosen.
+    pub(super) fn is_barred(&self, k: u32, chosen: &[bool]) -> bool {
+        let is_chosen = |k: u32| k != NONE && chosen[k as usize];
+        if self.across.is_empty() {
+            return false;
+        }
+        if let Some(&over) = self.across.get(k as usize) {
+            return is_chosen(over);
+        }
+        // Two that leave one triangle by different sides cross within it.
+        let under = self.crossed[k as usize - self.across.len()];
+        let beside = |&t: &i32| self.sides[t as usize].iter().any(|&side| is_chosen(self.across[side as usize]));
+        is_chosen(under) || self.duals[under as usize].iter().any(beside)
+    }
+}
+
+/// The edges of every triangle.
+fn sides(view: DiagramView<'_>) -> Vec<[u32; 3]> {
+    let mut sides = vec![[NONE; 3]; view.triangles.len()];
+    for (k, duals) in view.dual_edges.iter().enumerate() {
+        for &t in duals.iter().filter(|&&t| t != -1) {
+            let side = sides[t as usize].iter_mut().find(|side| **side == NONE);
+            side.into_iter().for_each(|side| *side = k as u32);
+        }
+    }
+    sides
+}
+
+/// The other diagonal of two triangles that make a convex quadrilateral.
+fn diagonal(view: DiagramView<'_>, edge: [i32; 2], duals: [i32; 2]) -> Option<[i32; 2]> {
+    let apex = |t: i32| view.triangles.get(t as usize)?.iter().copied().find(|v| !edge.contains(v));
+    let apexes = [apex(duals[0])?, apex(duals[1])?];
+    let place = |v: i32| -> Point { view.sites[v as usize] };
+    let side = |v: i32| orientation(place(apexes[0]), place(apexes[1]), place(v));
+    (side(edge[0]) * side(edge[1]) < 0.0).then_some(apexes)
+}
