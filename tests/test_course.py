@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import os
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -99,3 +102,20 @@ def test_widths_do_not_ask_how_edges_are_numbered() -> None:
     assert np.array_equal(one.parent[order], other.parent)
     # Strands may be gone along from their other end: lengths are summed up in another order.
     np.testing.assert_allclose(one.width[order], other.width, rtol=1e-6, atol=1e-12)
+
+
+def test_threads_change_no_bit() -> None:
+    program = (
+        "import hashlib, crazing as cz\n"
+        "c = cz.preset('painting-italian').replace(n=20_000).crack(rng=3)\n"
+        "arrays = c.graph.vertices, c.graph.edges, c.width, c.strand, c.generation, c.parent\n"
+        "print(len(c.graph.edges), hashlib.sha256(b''.join(array.tobytes() for array in arrays)).hexdigest())\n"
+    )
+    found = set()
+    for threads in "12":
+        environment = {**os.environ, "RAYON_NUM_THREADS": threads}
+        run = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True)
+        assert run.returncode == 0, run.stderr
+        found.add(run.stdout)
+    assert len(found) == 1
+    assert int(found.pop().split()[0]) > 1 << 15  # Fewer would not be given to threads.

@@ -45,10 +45,12 @@ pub fn normal_each(numbers: &mut [f64]) {
 /// Numerator and denominator of a rational function, lowest power first.
 type Rational = [[f64; 8]; 2];
 
+#[inline]
 fn rational([numerator, denominator]: &Rational, x: f64) -> f64 {
     polynomial(numerator, x) / polynomial(denominator, x)
 }
 
+#[inline]
 fn polynomial(coefficients: &[f64; 8], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, &c| sum * x + c)
 }
