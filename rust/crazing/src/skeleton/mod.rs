@@ -19,6 +19,7 @@ mod nearest;
 mod one_step;
 mod peel;
 mod pencil;
+mod places;
 mod poles;
 mod rings;
 mod second;
