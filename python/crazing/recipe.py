@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from crazing import files, steps
+from crazing import arguments, files, steps
 from crazing import rng as _rng
 from crazing.arguments import bounds_tuple, choice, count, meant, number, period_pair
 from crazing.crack import Crack
@@ -280,7 +280,8 @@ class Recipe:
             raise ValueError("bounds and period are both given; a periodic picture is one period")
         if points is not None and self.generator != "maze":
             raise ValueError(f"points are given; the generator {self.generator!r} takes none")
-        box = None if points is not None and bounds is None else bounds_tuple(bounds or (0.0, 0.0, *(torus or (1, 1))))
+        given = (0.0, 0.0, *(torus or (1, 1))) if bounds is None else bounds
+        box = None if points is not None and bounds is None else bounds_tuple(given)
         site = Site(self, box, torus, source, density)
         drawing, unit = site.maze(points, seed) if self.generator == "maze" else site.aged(seed)
         if self.rounds:
@@ -335,7 +336,7 @@ class Recipe:
         OSError
             If the file cannot be read.
         """
-        name = os.fspath(path)
+        name = os.fspath(arguments.file_path(path))
         try:
             with Path(path).open("rb") as file:
                 tables = tomllib.load(file)

@@ -59,7 +59,7 @@ def walls(maze: Maze) -> Drawing:
     >>> cz.steps.walls(m).bounds
     (0.0, 0.0, 1.0, 1.0)
     """
-    return paired(*_walls(maze), maze.bounds)
+    return paired(*_walls(arguments.of_kind(maze, "maze", Maze)), maze.bounds)
 
 
 def _walls(maze: Maze) -> tuple[Net, Fence]:
@@ -212,7 +212,7 @@ def impact(
     8
     """
     box = _box(bounds, period)
-    x, y = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2) if source is None else source
+    x, y = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2) if source is None else _place(source)
     found = _core.crack_impact(
         box,
         period is not None,
@@ -229,6 +229,11 @@ def _box(bounds: Sequence[float], period: Sequence[float] | None) -> Bounds:
     if period is None:
         return arguments.bounds_tuple(bounds)
     return 0.0, 0.0, *arguments.period_pair(period)
+
+
+def _place(source: Sequence[float]) -> tuple[float, float]:
+    x, y = arguments.entries(source, "source", 2, "(x, y)")
+    return x, y
 
 
 def follow(drawing: Drawing, *, turn: float = 60.0) -> Drawing:
@@ -257,6 +262,7 @@ def follow(drawing: Drawing, *, turn: float = 60.0) -> Drawing:
     >>> bool((cz.steps.follow(plain, turn=20).partner == -1).sum() > (plain.partner == -1).sum())
     True
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     sharpest = float(np.radians(arguments.number(turn, "turn", low=0, high=180)))
     partner = _core.crack_pairs(drawing.net, sharpest)
     return replace(drawing, partner=partner, age=np.empty(0, dtype=np.int32))
@@ -291,6 +297,7 @@ def part(drawing: Drawing, *, hairpin: float, reach: float) -> Drawing:
     >>> len(cz.steps.part(cz.steps.draw(hook), hairpin=120, reach=2).edges)
     3
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     sharpest = float(np.radians(arguments.number(hairpin, "hairpin", low=0, high=180)))
     stays = _core.crack_parted(drawing.net, drawing.partner, sharpest, arguments.number(reach, "reach", low=0))
     rows = np.concatenate([np.flatnonzero(stays), np.flatnonzero(~stays), np.arange(len(stays), len(drawing.fence[1]))])
@@ -346,6 +353,7 @@ def straighten(
     >>> cz.PlanarGraph(straight.vertices, straight.edges).length < m.walls.length
     True
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     moved = _core.crack_straighten(
         drawing.net,
         drawing.partner,
@@ -408,6 +416,7 @@ def stubs(
     >>> stubs > 0, len(grown.edges) - len(bare.edges) == 2 * stubs
     (True, True)
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     unit = arguments.number(unit, "unit", low=NEAREST)
     how = (
         arguments.number(rate, "rate", low=0, high=1e6) / unit,
@@ -475,6 +484,7 @@ def roughen(
     >>> len(rough.edges) > len(smooth.edges)
     True
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     unit = arguments.number(unit, "unit", low=0)
     # Pieces have no room of their own: a rough drawing takes no more steps that move it.
     net, fence, partner, origin = _core.crack_roughen(
@@ -520,6 +530,7 @@ def warp(drawing: Drawing, *, amplitude: float, rng: RNG = None) -> Drawing:
     >>> bool((cz.steps.warp(plain, amplitude=0.01, rng=1).vertices != plain.vertices).any())
     True
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     amplitude = arguments.number(amplitude, "amplitude", low=0)
     return replace(drawing, vertices=_core.crack_warp(drawing.net, drawing.fence, amplitude, drawing.bounds, key(rng)))
 
@@ -581,7 +592,8 @@ def widen(
     >>> float(c.width.max())
     0.01
     """
-    x, y = source
+    arguments.of_kind(drawing, "drawing", Drawing)
+    x, y = _place(source)
     profile = (
         arguments.number(width, "width", low=0),
         arguments.number(hierarchy, "hierarchy", low=0),
