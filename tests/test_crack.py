@@ -77,6 +77,19 @@ def test_a_seed_is_one_pattern() -> None:
     assert cz.crack(rng=7) != cz.crack(rng=8)
 
 
+@pytest.mark.parametrize("n", [2, 10, 400])
+def test_plates_at_the_sides_are_as_large_as_others(n: int) -> None:
+    points = cz.sample.uniform(n, bounds=(5, 5, 9, 7), rng=2)
+    low, high = points.min(axis=0), points.max(axis=0)
+    spacing = np.sqrt(np.prod(high - low) / n)
+    margin = min(spacing / 2, 0.1 * (high - low).max())
+    np.testing.assert_allclose(cz.crack(points, rng=1).bounds, (*(low - margin), *(high + margin)))
+
+
+def test_points_on_a_line_have_an_area_about_them() -> None:
+    assert cz.crack([(0.0, 0), (1, 0), (2, 0)], rng=1).bounds == (-0.2, -0.2, 2.2, 0.2)
+
+
 def test_bounds_clip() -> None:
     c = cz.crack(cz.sample.laplace(300, rng=1), bounds=(-1, -1, 1, 1), rng=1)
     assert np.abs(c.graph.vertices).max() <= 1

@@ -28,6 +28,24 @@ def test_search_finds_the_bottom_and_keeps_to_its_budget() -> None:
     assert not (found[0] == other[0]).all()
 
 
+def test_residuals_find_the_bottom_sooner_than_their_loss() -> None:
+    mixed = np.cos(np.arange(96.0).reshape(12, 8) ** 2)
+
+    def residuals(x: np.ndarray) -> np.ndarray:
+        return mixed @ (x - np.linspace(0.2, 0.8, 8)) + 0.02 * np.sin(40 * x[0])
+
+    def loss(found: np.ndarray) -> np.ndarray:
+        return np.abs(found).mean(axis=-1)
+
+    for seed in (1, 2):
+        how = {"budget": 80, "rng": seed}
+        blind = minimize(lambda x: float(loss(residuals(x))), [0.5] * 8, [0.3] * 8, **how)
+        led = minimize(residuals, [0.5] * 8, [0.3] * 8, loss=loss, **how)
+        assert loss(residuals(led[0])) < 0.5 * loss(residuals(blind[0]))
+    held = minimize(residuals, [0.5] * 8, [0.3] * 7 + [0.0], loss=loss, budget=60, rng=1)
+    assert all(each[7] == 0.5 for each in held)
+
+
 def test_search_stops_at_its_time_and_in_a_broken_generation() -> None:
     calls: list[int] = []
     minimize(bowl, [0.5] * 3, [0.3] * 3, budget=10**9, seconds=0.0, rng=1, progress=lambda n, _: calls.append(n))
@@ -85,6 +103,13 @@ def test_a_long_mask_is_measured_in_squares() -> None:
 def test_a_mask_without_cracks_is_refused() -> None:
     with pytest.raises(cz.CrazingError, match="no line with an end or a junction"):
         cz.fit(np.zeros((50, 60)))
+
+
+def test_ground_taken_for_crack_is_refused_at_once() -> None:
+    mask = stamp(cz.crack(n=20, rng=1), 100)
+    with pytest.raises(ValueError, match=r"crack in 9\d% of its pixels.* dark=True what is dark"):
+        cz.fit(~mask)
+    assert cz.fit(~mask, dark=True, budget=0) == cz.fit(mask, budget=0)
 
 
 def test_bad_budgets_are_named() -> None:

@@ -13,14 +13,8 @@ BASE = {"n": 400, "relax": 1, "opening": 0.6, "rounds": 3, "slide": 0.15, "rough
 
 # Knob: two values, the statistics it is for (at least so much more at the second), those it may move besides.
 KNOBS = {
-    # Cracks between fewer junctions are longer, and wander more: by .045 on average over many seeds.
-    "opening": (
-        (0.3, 0.9),
-        {"i_nodes": 0.3, "loops_per_junction": -0.2},
-        {"cell_cv", "width_cv", "segment_cv", "tortuosity"},
-    ),
-    # Walls pulled straight leave large cells larger: by .18, over as many.
-    "rounds": ((0, 6), {"t_share": 0.25}, {"near_right", "tortuosity", "cell_cv"}),
+    "opening": ((0.3, 0.9), {"i_nodes": 0.3, "loops_per_junction": -0.2}, {"cell_cv", "width_cv", "segment_cv"}),
+    "rounds": ((0, 6), {"t_share": 0.25}, {"near_right", "tortuosity"}),
     "slide": ((0.0, 0.6), {"near_right": 0.06}, set()),
     "roughness": ((0.0, 0.08), {"tortuosity": 0.04}, {"near_right", "t_share", "width_cv"}),
     "stubs": ((0.0, 0.6), {"i_nodes": 0.1, "loops_per_junction": -0.06}, {"segment_cv", "near_right"}),
@@ -42,6 +36,12 @@ NEAR = {
     "cell_cv": 0.15,
     "segment_cv": 0.08,
 }
+# Two bounds of NEAR were once met by luck of two seeds, by .035 and .110: over 24 seeds the same generator moved the
+# first by .050 +- .003 and the second by .172 +- .010, and today's by .055 +- .004 and .174 +- .010. Neither is a fault
+# of a step. Walls between fewer junctions are longer chains of corners: without roughness it is .048 still, with ten
+# rounds of straightening .045, and the thesis' maze itself winds 1.20 against 1.005 of all walls. Walls that are pulled
+# straight make large cells larger, also where every door is shut (.138). Here they stand with bounds of their own.
+MOVED = {("opening", "tortuosity"): 0.075, ("rounds", "cell_cv"): 0.22}
 
 
 @cache
@@ -58,4 +58,5 @@ def test_a_knob_moves_its_statistic_and_leaves_the_others_near(knob: str) -> Non
         moved = second[name] - first[name]
         assert (moved >= least) if least > 0 else (moved <= least), (name, first[name], second[name])
     for name in NEAR.keys() - own.keys() - besides:
-        assert abs(second[name] - first[name]) <= NEAR[name], (name, first[name], second[name])
+        most = MOVED.get((knob, name), NEAR[name])
+        assert abs(second[name] - first[name]) <= most, (name, first[name], second[name])

@@ -167,6 +167,13 @@ def traces(count: int, seed: int) -> NDArray[np.float64]:
     return np.stack([middle - way, middle + way], axis=1)
 
 
+def test_no_zero_is_negative() -> None:
+    found = cz.measure(cz.crack(n=80, opening=0, rng=1)).to_dict()
+    zeros = [name for name, value in found.items() if value == 0]
+    assert "dead_end_length" in zeros
+    assert not any(np.signbit(found[name]) for name in zeros)
+
+
 def test_nodes_agree_with_shapely_on_random_traces() -> None:
     lines = traces(60, 4)
     whole = shapely.union_all(shapely.linestrings(lines))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -77,6 +78,10 @@ def test_other_faults_are_named(tmp_path: Path) -> None:
         cz.crack(preset="marble")
     with pytest.raises(ValueError, match="the name of a step is 'curl'; one of"):
         cz.crack(curl=1)
+    for wrong in (np.zeros((2, 2)), np.zeros((4, 2)), np.arange(3.0), ()):
+        with pytest.raises((TypeError, ValueError), match=r"^bounds(\[0\])? (is|has) "):
+            cz.crack(n=9, bounds=wrong)
+    assert cz.crack(n=9, bounds=np.array([0, 0, 2, 1])).bounds == (0, 0, 2, 1)
     with pytest.raises(ValueError, match="bounds and period are both given"):
         cz.crack(period=(1, 1), bounds=(0, 0, 1, 1))
     with pytest.raises(FileNotFoundError):

@@ -36,7 +36,7 @@ VALUES: dict[str, Any] = {
 
 # What NumPy and Python say of things inside, which tells a caller nothing.
 INTERNAL = re.compile(
-    r"truth value|' object has no|unsupported operand|unpack|not iterable|not subscriptable|has no len|must be real number"
+    r"truth value|' object has no|unsupported operand|unpack|not iterable|not subscriptable|has no len|be real number"
     r"|broadcast|setting an array|could not convert|cannot convert|ufunc|cannot be interpreted|not supported between"
     r"|inhomogeneous|scalar index|[Cc]annot cast|invalid literal|unhashable|bytes-like|large to convert|expected str"
 )

@@ -221,8 +221,27 @@ def test_splitting_makes_right_angled_t_junctions_only(period) -> None:
         if len(alone) == 1:
             through = [k for k in here if k != alone[0]]
             turns.append(min(abs(float(step[alone[0]] @ step[k])) for k in through))
-    # Cosines against the older crack; founders of a torus meet as they like.
+    # Cosines against the older crack.
     assert len(turns) > 180 and np.median(turns) < 0.1
+
+
+@pytest.mark.parametrize("n", [1, 2, 40])
+@pytest.mark.parametrize("bend", [0.0, 0.5, 1.0])
+def test_a_torus_has_its_cells_whatever_its_shape(n: int, bend: float) -> None:
+    """Also where the first walls would join a crack to itself, one period on."""
+    for seed, period in enumerate(((1, 1), (2, 1), (0.3, 1), (1, 1), (2, 1), (0.3, 1))):
+        how = {"bend": bend, "anisotropy": (1, 4)[seed % 2], "angle": 30 * seed}
+        c = cz.crack(n=n, generator="splitting", period=period, rng=seed, **how)
+        assert len(c.graph.edges) - len(c.graph.vertices) == n
+        assert crossings(c) == 0 and c.graph.degrees.max() == 3
+
+
+def test_an_impact_on_its_own_fence_never_crosses_when_rough() -> None:
+    for seed, period in enumerate((None, (1, 1), None, (2, 1))):
+        drawing = cz.steps.impact(200, speed=480, source=(0.5, 0.5), arcs=1, period=period, rng=seed)
+        rough = cz.steps.roughen(drawing, unit=0.06, rng=seed, roughness=0.8, hurst=0.4, grain=0.05)
+        assert crossings(cz.steps.widen(drawing, width=0.001)) == 0
+        assert crossings(cz.steps.widen(rough, width=0.001)) == 0
 
 
 def test_spokes_follow_the_square_root_of_speed_and_are_straight() -> None:

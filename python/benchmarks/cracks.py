@@ -1,65 +1,84 @@
 """Times of crack recipes as ratios: a full recipe to its diagram, presets to SciPy's Voronoi of as many points.
 
 Processor time of all threads, and wall time beside it; every pair is timed in turn, and the least of the rounds counts.
+Beside the times stands what explains them: how much of the processor time is the system's, which clears fresh memory,
+how many pages of memory were touched for the first time, and how much of it was spent by the calling thread alone.
 """
 
 import argparse
 import json
+import resource
 import time
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial import Voronoi
 
 import crazing as cz
 
 FULL = cz.preset("painting-italian")
 FRAME = 16.0
+#: What is measured, in this order: seconds, but pages.
+MEASURES = ("processor", "wall", "system", "alone", "pages")
 
 
-def times(work: dict[str, Callable[[], object]], rounds: int) -> dict[str, tuple[float, float]]:
-    """Least (processor, wall) seconds of each, taken in turn."""
-    best = dict.fromkeys(work, (np.inf, np.inf))
+def now() -> NDArray[np.float64]:
+    """The measures up to now."""
+    used = resource.getrusage(resource.RUSAGE_SELF)
+    processor = used.ru_utime + used.ru_stime
+    return np.array([processor, time.perf_counter(), used.ru_stime, time.thread_time(), used.ru_minflt])
+
+
+def times(work: dict[str, Callable[[], object]], rounds: int) -> dict[str, NDArray[np.float64]]:
+    """Least measures of each, taken in turn."""
+    best = {name: np.full(len(MEASURES), np.inf) for name in work}
     for _ in range(rounds):
         for name, call in work.items():
-            start = time.process_time(), time.perf_counter()
-            call()
-            spent = time.process_time() - start[0], time.perf_counter() - start[1]
-            best[name] = min(best[name][0], spent[0]), min(best[name][1], spent[1])
+            start = now()
+            found = call()
+            best[name] = np.minimum(best[name], now() - start)
+            del found
     return best
 
 
 def full(n: int, rounds: int) -> list[dict[str, object]]:
-    """The whole recipe and its parts, as ratios to the diagram of as many uniform points."""
+    """The whole recipe and its steps, as ratios to the diagram of as many uniform points."""
     points = cz.sample.uniform(n, rng=1)
     d = cz.diagram(points)
     carved = cz.maze(d, opening=FULL.opening, bounds=(0, 0, 1, 1), rng=1)
     plain = cz.steps.walls(carved)
-    straight = cz.steps.straighten(plain, rounds=FULL.rounds)
+    straight = cz.steps.follow(cz.steps.straighten(plain, rounds=FULL.rounds), turn=FULL.turn)
     unit = 1 / np.sqrt(n)
-    how = {"roughness": FULL.roughness, "unit": unit, "grain": FULL.grain}
-    rough = cz.steps.roughen(straight, **how, rng=1)
+    branches = {"rate": FULL.stubs, "length": FULL.stub_length, "spread": FULL.stub_spread, "unit": unit}
+    how = {"roughness": FULL.roughness, "rounding": FULL.rounding, "unit": unit, "grain": FULL.grain}
+    grown = cz.steps.stubs(straight, **branches, rng=1)
+    rough = cz.steps.roughen(grown, **how, rng=1)
     work = {
         "diagram": lambda: cz.diagram(points),
         f"relax, {FULL.relax} rounds": lambda: cz.sample.relax(points, iterations=FULL.relax, bounds=(0, 0, 1, 1)),
         "maze": lambda: cz.maze(d, opening=FULL.opening, bounds=(0, 0, 1, 1), rng=1),
         "walls and strands": lambda: cz.steps.walls(carved),
         f"straighten, {FULL.rounds} rounds": lambda: cz.steps.straighten(plain, rounds=FULL.rounds),
-        "roughen": lambda: cz.steps.roughen(straight, **how, rng=1),
-        "widen": lambda: cz.steps.widen(rough, width=0.1 * unit),
+        "follow": lambda: cz.steps.follow(straight, turn=FULL.turn),
+        "warp": lambda: cz.steps.warp(straight, amplitude=FULL.warp * unit, rng=1),
+        "stubs": lambda: cz.steps.stubs(straight, **branches, rng=1),
+        "roughen": lambda: cz.steps.roughen(grown, **how, rng=1),
+        "widen": lambda: cz.steps.widen(rough, width=0.1 * unit, unevenness=FULL.unevenness, unit=unit),
         "splitting": lambda: cz.steps.split(n, rng=1),
         "full recipe": lambda: FULL.replace(n=n).crack(rng=1),
     }
     best = times(work, rounds)
     base = best["diagram"]
-    rows = [
-        {"what": name, "n": n, "processor": cpu / base[0], "wall": wall / base[1]} for name, (cpu, wall) in best.items()
-    ]
-    print(f"{n} plates, diagram {1e3 * base[0]:.0f} ms of processor, {1e3 * base[1]:.0f} ms")
-    for row in rows:
-        print(f"  {row['what']:<24} {row['processor']:6.2f} x the diagram, wall {row['wall']:6.2f} x")
+    rows = []
+    print(f"{n} plates, diagram {1e3 * base[0]:.0f} ms of processor, {1e3 * base[1]:.0f} ms; {len(rough.edges)} pieces")
+    for name, found in best.items():
+        processor, wall, system, alone = (*(found[:2] / base[:2]), *(found[2:4] / base[0]))
+        rows.append({"what": name, "n": n, "processor": processor, "wall": wall, "system": system, "alone": alone})
+        print(f"  {name:<24} {processor:6.2f} x the diagram, wall {wall:6.2f} x", end="")
+        print(f"; system {system:5.2f}, on one thread {alone:5.2f}, pages {found[4]:9.0f}")
     return rows
 
 
@@ -73,7 +92,7 @@ def small(n: int, rounds: int) -> list[dict[str, object]]:
     base = best["SciPy's Voronoi"][0]
     rows = []
     print(f"presets at {n} plates, diagram included; a frame has {FRAME:.0f} ms")
-    for name, (cpu, wall) in best.items():
+    for name, (cpu, wall, *_) in best.items():
         rows.append({"what": name, "n": n, "ms": 1e3 * cpu, "wall": 1e3 * wall, "ratio": cpu / base})
         print(f"  {name:<24} {1e3 * cpu:6.1f} ms, {cpu / base:6.2f} x SciPy's Voronoi; wall {1e3 * wall:6.1f} ms")
     return rows

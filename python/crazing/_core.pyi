@@ -32,6 +32,16 @@ _Sides: TypeAlias = tuple[int, _Ints]
 _Aged: TypeAlias = tuple[_Net, _Fence, _Ints, _Ints]
 # Width, hierarchy, shrink, taper, abutting, unevenness, unit, source, reach, fade.
 _Widths: TypeAlias = tuple[float, float, float, float, float, float, float, tuple[float, float], float, float]
+# Straightening, hooks, turn, warp, stubs, roughness, widths.
+_Steps: TypeAlias = tuple[
+    tuple[int, float, float, float] | None,
+    tuple[float, float] | None,
+    float | None,
+    tuple[float, _Key] | None,
+    tuple[tuple[float, float, float, float], _Key] | None,
+    tuple[tuple[float, float, float, float, float], _Key] | None,
+    tuple[_Widths, _Key],
+]
 
 def sample_uniform(n: int, bounds: _Bounds, key: _Key) -> _Floats: ...
 def sample_normal(n: int, loc: tuple[float, float], scale: tuple[float, float], key: _Key) -> _Floats: ...
@@ -93,33 +103,27 @@ def crack_walls_on_torus(
 ) -> tuple[_Net, _Fence]: ...
 def crack_spacing(sites: _Floats, edges: _Ints, shifts: _Shifts, period: tuple[float, float]) -> float: ...
 def crack_pairs(net: _Net, sharpest: float) -> _Ints: ...
-def crack_straighten(
-    net: _Net, partner: _Ints, fence: _Fence, rounds: int, pull: float, slide: float, clamp: float
-) -> _Floats: ...
+def crack_straighten(net: _Net, partner: _Ints, fence: _Fence, how: tuple[int, float, float, float]) -> _Floats: ...
 def crack_wrap(net: _Net) -> _Net: ...
 def crack_widths(
     net: _Net, partner: _Ints, age: _Ints, widths: _Widths, key: _Key
 ) -> tuple[_Floats, _Ints, _Ints, _Ints]: ...
 def crack_roughen(
-    net: _Net,
-    partner: _Ints,
-    fence: _Fence,
-    amplitude: float,
-    hurst: float,
-    unit: float,
-    grain: float,
-    rounding: float,
-    key: _Key,
+    net: _Net, partner: _Ints, fence: _Fence, how: tuple[float, float, float, float, float], key: _Key
 ) -> tuple[_Net, _Fence, _Ints, _Ints]: ...
-def crack_parted(net: _Net, partner: _Ints, sharpest: float, reach: float) -> _Mask: ...
+def crack_part(net: _Net, fence: _Fence, partner: _Ints, age: _Ints, turn: tuple[float, float]) -> _Aged: ...
 def crack_stubs(
     net: _Net,
-    partner: _Ints,
     fence: _Fence,
+    partner: _Ints,
+    age: _Ints,
     bounds: _Bounds,
     how: tuple[float, float, float, float],
     key: _Key,
-) -> tuple[_Net, _Fence, _Ints, _Ints]: ...
+) -> _Aged: ...
+def crack_course(
+    net: _Net, fence: _Fence, partner: _Ints, age: _Ints, bounds: _Bounds, steps: _Steps
+) -> tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints, _Ints]: ...
 def crack_warp(net: _Net, fence: _Fence, amplitude: float, bounds: _Bounds, key: _Key) -> _Floats: ...
 def crack_split(
     bounds: _Bounds,

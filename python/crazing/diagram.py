@@ -249,10 +249,13 @@ def tiled(
     return PlanarGraph(*_core.tile(points, edges, np.ascontiguousarray(shifts), period))
 
 
-def bounds_of(diagram: Diagram, bounds: ArrayLike | None) -> tuple[float, float, float, float]:
+def bounds_of(
+    diagram: Diagram, bounds: ArrayLike | None, *, closely: bool = False
+) -> tuple[float, float, float, float]:
     """`bounds` checked; by default the bounding box of the sites, grown by a tenth of its larger side all round.
 
-    Those of a periodic diagram are its period.
+    Those of a periodic diagram are its period. Closely, the box grows by no more than half a mean spacing, so that
+    cells at its sides are as large as the others.
     """
     if diagram.period is not None:
         if bounds is not None:
@@ -267,4 +270,7 @@ def bounds_of(diagram: Diagram, bounds: ArrayLike | None) -> tuple[float, float,
     x, y = diagram.sites.T
     low, high = (np.array(end).clip(-4e307, 4e307) for end in ((x.min(), y.min()), (x.max(), y.max())))
     margin = 0.1 * ((high - low).max() or max(1.0, float(np.abs(high).max())))
+    if closely and (high > low).all():
+        width, height = np.sqrt(high - low)
+        margin = min(margin, 0.5 * width * height / np.sqrt(len(diagram.sites)))
     return bounds_tuple((*(low - margin), *(high + margin)))

@@ -54,7 +54,7 @@ _AXES = (
     _Axis("relax", 0, 3, 0.3),
     _Axis("opening", 0, 1, 0.12),
     _Axis("rounds", 0, 6, 0.2),
-    _Axis("pull", 0, 1, 0.2),
+    _Axis("pull", 0, 1, 0.3),
     _Axis("slide", 0, 0.6, 0.2),
     _Axis("clamp", 0.05, 0.45, 0.2),
     _Axis("turn", 20, 120, 0.2),
@@ -66,6 +66,7 @@ _AXES = (
     _Axis("thickness", 0.01, 0.5, 0.1),
     _Axis("hierarchy", 0, 1.5, 0.2),
     _Axis("taper", 0, 1, 0.2),
+    _Axis("rounding", 0, 1, 0.25),
 )
 _WIDTHS = ("thickness", "hierarchy", "taper")
 # The number of plates is looked for as its root over that of the guess: lengths go with the root.
@@ -113,7 +114,7 @@ def fit(
     Raises
     ------
     TypeError, ValueError
-        If the mask is no picture or a number is out of range.
+        If the mask is no picture, is crack in more than half of its pixels, or a number is out of range.
     CrazingError
         If the mask holds no junction and no dead end to measure.
 
@@ -132,7 +133,13 @@ def fit(
     """
     budget = count(budget, "budget", high=1 << 20)
     seconds = None if seconds is None else number(seconds, "seconds", low=0)
-    parts = crops(as_mask(mask, level=level, dark=dark))
+    cracked = as_mask(mask, level=level, dark=dark)
+    if (share := float(cracked.mean())) > 0.5:
+        raise ValueError(
+            f"mask is crack in {share:.0%} of its pixels; cracks fill at most half of a picture, and with "
+            f"dark={not dark} what is {'bright' if dark else 'dark'} would be"
+        )
+    parts = crops(cracked)
     found = [measure(part) for part in parts]
     wanted = _wanted(found)
     if not {"i_nodes", "intensity"} <= wanted.keys() or wanted["intensity"][0] == 0:
@@ -148,7 +155,9 @@ def fit(
     start = np.array([0.5 if axis is _ROOT else axis.part(float(getattr(guess, axis.name))) for axis in trial.axes])
     start[0] = _ROOT.part(1.0)
     spread = np.array([axis.spread for axis in trial.axes])
-    candidates = minimize(trial.distance, start, spread, budget=budget, seconds=seconds, rng=seed, progress=progress)
+    candidates = minimize(
+        trial.deviations, start, spread, budget=budget, loss=_lure, seconds=seconds, rng=seed, progress=progress
+    )
     # By patterns that the search has not seen: the best of many is also the luckiest.
     fresh = dataclasses.replace(trial, seeds=tuple(_words(seed, 3 * PATTERNS)))
     return fresh.recipe(min(candidates, key=fresh.distance))
@@ -254,17 +263,27 @@ class _Trial:
         values["n"] = max(self.guess.n * values["n"] ** 2, 3)
         return self.guess.replace(**_typed(values))
 
-    def distance(self, point: NDArray[np.float64]) -> float:
+    def deviations(self, point: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What is found less what is wanted, in deviations: every statistic of every pattern."""
         recipe = self.recipe(point)
         found = [measure(recipe.crack(rng=seed), raster=self.side) for seed in self.seeds]
-        return float(np.mean([_distance(each, self.wanted) for each in found]))
+        wanted = [(name, pair) for name, pair in self.wanted.items() if name != "direction"]
+        far = [(getattr(each, name) - pair[0]) / _scale(*pair) for each in found for name, pair in wanted]
+        return np.asarray(np.nan_to_num(np.array(far), nan=CAP, posinf=CAP, neginf=-CAP))
+
+    def distance(self, point: NDArray[np.float64]) -> float:
+        """As a score."""
+        return float(np.minimum(np.abs(self.deviations(point)), CAP).mean())
 
 
-def _distance(found: CrackStatistics, wanted: dict[str, tuple[float, float]]) -> float:
-    """As a score, with density and widths."""
-    names = [name for name in wanted if name != "direction"]
-    far = [abs(getattr(found, name) - wanted[name][0]) / _scale(*wanted[name]) for name in names]
-    return float(np.mean([CAP if np.isnan(each) else min(each, CAP) for each in far]))
+def _lure(deviations: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A score without flat ground: what lies beyond the cap still says which way is nearer.
+
+    Capped, a statistic that begins far off is given up for lost, and the others are served at its cost.
+    """
+    far = np.abs(deviations)
+    led: NDArray[np.float64] = np.where(far > CAP, CAP * (1 + np.log(np.maximum(far, CAP) / CAP)), far).mean(axis=-1)
+    return led
 
 
 def _scale(mean: float, deviation: float) -> float:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from crazing import arguments, files, steps
+from crazing import arguments, course, files, steps
 from crazing import rng as _rng
 from crazing.arguments import bounds_tuple, choice, count, meant, number, period_pair
 from crazing.crack import Crack
@@ -257,7 +257,7 @@ class Recipe:
             Plates are finer where this is larger: an image over the bounds, row 0 at the top, see
             :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units).
         bounds : (xmin, ymin, xmax, ymax), optional
-            What the pattern is clipped to, data units.
+            What the pattern is clipped to, data units; by default as in :func:`crazing.crack`.
         period : (width, height), optional
             What is repeated, data units.
         rng : int, numpy.random.Generator or None, optional
@@ -280,41 +280,37 @@ class Recipe:
             raise ValueError("bounds and period are both given; a periodic picture is one period")
         if points is not None and self.generator != "maze":
             raise ValueError(f"points are given; the generator {self.generator!r} takes none")
-        given = (0.0, 0.0, *(torus or (1, 1))) if bounds is None else bounds
-        box = None if points is not None and bounds is None else bounds_tuple(given)
+        box = None if bounds is None else bounds_tuple(bounds)
+        if box is None and points is None:
+            box = (0.0, 0.0, *(torus or (1.0, 1.0)))
         site = Site(self, box, torus, source, density)
         drawing, unit = site.maze(points, seed) if self.generator == "maze" else site.aged(seed)
-        if self.rounds:
-            drawing = steps.straighten(drawing, rounds=self.rounds, pull=self.pull, slide=self.slide, clamp=self.clamp)
-        if self.hairpin < 180 and self.generator == "maze":
-            drawing = steps.part(drawing, hairpin=self.hairpin, reach=HOOK * unit)
-        if self.turn < 180 and self.generator == "maze":
-            drawing = steps.follow(drawing, turn=self.turn)
+        return self._course(site, drawing, unit, seed, width).crack(drawing)
+
+    def _course(
+        self, site: Site, drawing: steps.Drawing, unit: float, seed: np.random.Generator, width: float | None
+    ) -> course.Course:
+        """The steps that make the pattern of a drawing, its plates `unit` apart."""
         # Every step draws its key, wanted or not: turning one off leaves the others as they are.
-        seeds = [np.random.default_rng(_rng.key(seed)) for _ in range(3)]
-        if self.warp and unit:
-            drawing = steps.warp(drawing, amplitude=self.warp * unit, rng=seeds[0])
-        if self.stubs and unit:  # The last of the keys is drawn here, so that no other is another without stubs.
-            drawing = steps.stubs(
-                drawing, rate=self.stubs, length=self.stub_length, spread=self.stub_spread, unit=unit, rng=seed
-            )
-        if (self.roughness or self.rounding) and unit:
-            how = {name: getattr(self, name) for name in ("roughness", "hurst", "grain", "rounding")}
-            drawing = steps.roughen(drawing, unit=unit, rng=seeds[1], **how)
+        keys = [_rng.key(np.random.default_rng(_rng.key(seed))) for _ in range(3)]
+        of_maze = self.generator == "maze"
         where, side = site.centre(drawing.bounds)
-        return steps.widen(
-            drawing,
-            width=self.thickness * unit if width is None else number(width, "width", low=0),
-            hierarchy=self.hierarchy,
-            shrink=self.shrink,
-            taper=self.taper,
-            abutting=self.abutting,
-            unevenness=self.unevenness,
-            unit=unit,
-            source=where,
-            reach=max(_REACH * side, steps.NEAREST),
-            fade=self.fade,
-            rng=seeds[2],
+        full = self.thickness * unit if width is None else number(width, "width", low=0)
+        reach = max(_REACH * side, course.NEAREST)
+        looks = (full, self.hierarchy, self.shrink, self.taper, self.abutting, self.unevenness, unit, where, reach)
+        straight = (self.rounds, self.pull, self.slide, self.clamp)
+        stubs = (self.stubs, self.stub_length, unit, self.stub_spread, course.LEAN)
+        rough = (self.roughness, unit, self.hurst, self.grain, self.rounding)
+        is_rough = bool((self.roughness or self.rounding) and unit)
+        return course.Course(
+            (course.widths(*looks, self.fade), keys[2]),
+            straight=course.straightening(*straight) if self.rounds else None,
+            hooks=course.hooks(self.hairpin, HOOK * unit) if of_maze and self.hairpin < 180 else None,
+            turn=course.turning(self.turn) if of_maze and self.turn < 180 else None,
+            warp=(number(self.warp * unit, "warp", low=0), keys[0]) if self.warp and unit else None,
+            # The last of the keys is drawn here, so that no other is another without stubs.
+            stubs=(course.stubbing(*stubs), _rng.key(seed)) if self.stubs and unit else None,
+            rough=(course.roughness(*rough), keys[1]) if is_rough else None,
         )
 
     @classmethod
@@ -501,7 +497,7 @@ def crack(
         :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units).
     bounds : (xmin, ymin, xmax, ymax), optional
         What the pattern is clipped to, data units. By default the unit square without `points`, else their bounding
-        box grown by a tenth.
+        box, grown by half their mean spacing and by no more than a tenth.
     period : (width, height), optional
         Make a pattern that repeats: cracks leave on one side and come in on the opposite one. Excludes `bounds`.
     rng : int, numpy.random.Generator or None, optional

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core, sample, steps
 from crazing.arguments import bounds_tuple, number, real_array
-from crazing.diagram import Diagram, as_tiling
+from crazing.diagram import Diagram, as_tiling, bounds_of
 from crazing.drawing import fenced
 from crazing.images import brightness
 from crazing.maze import maze
@@ -98,7 +98,7 @@ class Site:
         elif r.relax:
             points = self._relaxed(points)
         diagram = as_tiling(points, self.period)
-        bounds = None if self.period is not None else self.bounds
+        bounds = None if self.period is not None else bounds_of(diagram, self.bounds, closely=True)
         drawing = steps.walls(maze(diagram, tree=r.tree, opening=r.opening, bounds=bounds, rng=seed))
         return drawing, _spacing(diagram)
 

@@ -528,7 +528,8 @@ def _axis_graph(diagram: Diagram, mask: Mask) -> PlanarGraph:
 
 def _one_step(diagram: Diagram) -> Skeleton:
     mask = _one_step_mask(diagram)
-    return Skeleton(diagram, "one-step", _crust_graph(diagram, mask), _axis_graph(diagram, ~mask), mask, ~mask)
+    rest = ~mask
+    return Skeleton(diagram, "one-step", _crust_graph(diagram, mask), _axis_graph(diagram, rest), mask, rest)
 
 
 def _edge_filter(diagram: Diagram) -> Skeleton:

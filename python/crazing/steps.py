@@ -8,10 +8,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from crazing import _core, arguments
+from crazing import _core, arguments, course
 from crazing.crack import Crack
 from crazing.drawing import Bounds, Drawing, Fence, Net, draw, paired
-from crazing.graph import PlanarGraph
 from crazing.maze import Maze
 from crazing.rng import RNG, key
 
@@ -29,9 +28,6 @@ __all__ = [
     "warp",
     "widen",
 ]
-
-#: The shortest reach of a source, data units: widths fade by a power of the distance over it.
-NEAREST = 1e-300
 
 
 def walls(maze: Maze) -> Drawing:
@@ -263,8 +259,7 @@ def follow(drawing: Drawing, *, turn: float = 60.0) -> Drawing:
     True
     """
     arguments.of_kind(drawing, "drawing", Drawing)
-    sharpest = float(np.radians(arguments.number(turn, "turn", low=0, high=180)))
-    partner = _core.crack_pairs(drawing.net, sharpest)
+    partner = _core.crack_pairs(drawing.net, course.turning(turn))
     return replace(drawing, partner=partner, age=np.empty(0, dtype=np.int32))
 
 
@@ -298,23 +293,10 @@ def part(drawing: Drawing, *, hairpin: float, reach: float) -> Drawing:
     3
     """
     arguments.of_kind(drawing, "drawing", Drawing)
-    sharpest = float(np.radians(arguments.number(hairpin, "hairpin", low=0, high=180)))
-    stays = _core.crack_parted(drawing.net, drawing.partner, sharpest, arguments.number(reach, "reach", low=0))
-    rows = np.concatenate([np.flatnonzero(stays), np.flatnonzero(~stays), np.arange(len(stays), len(drawing.fence[1]))])
-    anchors, kites, turns = drawing.fence
-    shifts = drawing.shifts[stays] if len(drawing.shifts) else drawing.shifts
-    net: Net = drawing.vertices, drawing.edges[stays], shifts, drawing.period, drawing.cut
-    number = np.cumsum(stays) - 1
-    ends = drawing.partner.reshape(-1, 2)[stays].ravel()
-    gone = (ends < 0) | ~stays[ends // 2]
-    partner = np.where(gone, -1, 2 * number[ends // 2] + ends % 2).astype(np.int32)
-    return Drawing(
-        *net,
-        drawing.bounds,
-        (anchors, kites[rows], turns[rows] if len(turns) else turns),
-        partner,
-        drawing.age[stays] if len(drawing.age) else drawing.age,
-    )
+    turn = course.hooks(hairpin, reach)
+    age = np.ascontiguousarray(drawing.age)
+    net, fence, partner, age = _core.crack_part(drawing.net, drawing.fence, drawing.partner, age, turn)
+    return Drawing(*net, drawing.bounds, fence, partner, age)
 
 
 def straighten(
@@ -354,15 +336,8 @@ def straighten(
     True
     """
     arguments.of_kind(drawing, "drawing", Drawing)
-    moved = _core.crack_straighten(
-        drawing.net,
-        drawing.partner,
-        drawing.fence,
-        arguments.count(rounds, "rounds", high=100_000),
-        arguments.number(pull, "pull", low=0, high=1),
-        arguments.number(slide, "slide", low=0, high=1),
-        arguments.number(clamp, "clamp", low=0, high=0.5),
-    )
+    how = course.straightening(rounds, pull, slide, clamp)
+    moved = _core.crack_straighten(drawing.net, drawing.partner, drawing.fence, how)
     return replace(drawing, vertices=moved)
 
 
@@ -373,7 +348,7 @@ def stubs(
     length: float,
     unit: float,
     spread: float = 0.3,
-    lean: float = 8.0,
+    lean: float = course.LEAN,
     rng: RNG = None,
 ) -> Drawing:
     """Grow stubs: short free branches that leave cracks at about a right angle.
@@ -417,18 +392,10 @@ def stubs(
     (True, True)
     """
     arguments.of_kind(drawing, "drawing", Drawing)
-    unit = arguments.number(unit, "unit", low=NEAREST)
-    how = (
-        arguments.number(rate, "rate", low=0, high=1e6) / unit,
-        arguments.number(length, "length", low=0, high=1e6) * unit,
-        arguments.number(spread, "spread", low=0, high=4),
-        float(np.radians(arguments.number(lean, "lean", low=0, high=60))),
-    )
-    found = _core.crack_stubs(drawing.net, drawing.partner, drawing.fence, drawing.bounds, how, key(rng))
-    net, fence, partner, origin = found
-    age = drawing.age
-    if len(age):
-        age = np.where(origin < 0, age.max() + np.cumsum(origin < 0), age[origin]).astype(np.int32)
+    how = course.stubbing(rate, length, unit, spread, lean)
+    age = np.ascontiguousarray(drawing.age)
+    found = _core.crack_stubs(drawing.net, drawing.fence, drawing.partner, age, drawing.bounds, how, key(rng))
+    net, fence, partner, age = found
     return Drawing(*net, drawing.bounds, fence, partner, age)
 
 
@@ -485,19 +452,10 @@ def roughen(
     True
     """
     arguments.of_kind(drawing, "drawing", Drawing)
-    unit = arguments.number(unit, "unit", low=0)
+    how = course.roughness(roughness, unit, hurst, grain, rounding)
     # Pieces have no room of their own: a rough drawing takes no more steps that move it.
-    net, fence, partner, origin = _core.crack_roughen(
-        drawing.net,
-        drawing.partner,
-        drawing.fence,
-        arguments.number(roughness, "roughness", low=0, high=10),
-        arguments.number(hurst, "hurst", low=0, high=2),
-        unit,
-        unit * arguments.number(grain, "grain", low=0, high=1e6),
-        arguments.number(rounding, "rounding", low=0, high=1),
-        key(rng),
-    )
+    found = _core.crack_roughen(drawing.net, drawing.partner, drawing.fence, how, key(rng))
+    net, fence, partner, origin = found
     age = drawing.age[origin] if len(drawing.age) else drawing.age
     return Drawing(*net, drawing.bounds, fence, partner, age)
 
@@ -593,23 +551,11 @@ def widen(
     0.01
     """
     arguments.of_kind(drawing, "drawing", Drawing)
-    x, y = _place(source)
-    profile = (
-        arguments.number(width, "width", low=0),
-        arguments.number(hierarchy, "hierarchy", low=0),
-        arguments.number(shrink, "shrink", low=0),
-        arguments.number(taper, "taper", low=0),
-        arguments.number(abutting, "abutting", low=0),
-        arguments.number(unevenness, "unevenness", low=0, high=4),
-        arguments.number(unit, "unit", low=0),
-        (arguments.number(x, "source[0]"), arguments.number(y, "source[1]")),
-        arguments.number(reach, "reach", low=NEAREST),
-        arguments.number(fade, "fade", low=0, high=100),
+    profile = course.widths(
+        width, hierarchy, shrink, taper, abutting, unevenness, unit, source=source, reach=reach, fade=fade
     )
-    found = _core.crack_widths(drawing.net, drawing.partner, np.ascontiguousarray(drawing.age), profile, key(rng))
-    widths, strand, generation, parent = found
-    vertices, edges, shifts, period, _ = _core.crack_wrap(drawing.net)
-    graph = PlanarGraph(vertices, edges)
-    if not any(period):
-        return Crack(graph, widths, strand, generation, drawing.bounds, parent=parent)
-    return Crack(graph, widths, strand, generation, drawing.bounds, period, shifts, parent)
+    looks = _core.crack_widths(drawing.net, drawing.partner, np.ascontiguousarray(drawing.age), profile, key(rng))
+    vertices, edges, shifts = drawing.vertices, drawing.edges, drawing.shifts
+    if any(drawing.period):
+        vertices, edges, shifts, _, _ = _core.crack_wrap(drawing.net)
+    return course.widened(vertices, edges, shifts, drawing, looks)

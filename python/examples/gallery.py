@@ -19,12 +19,15 @@ SEED = 11
 
 
 def pattern(name: str) -> cz.Crack:
-    """The preset's crack, on a torus where its recipe can be laid on one."""
-    recipe = cz.preset(name)
+    """The preset's crack, on a torus where its recipe can be laid on one.
+
+    Each has a seed of its own: the same one begins all recipes of a generator with the same cracks.
+    """
+    recipe, seed = cz.preset(name), SEED + cz.presets().index(name)
     try:
-        return recipe.crack(rng=SEED, period=(1.0, 1.0))
+        return recipe.crack(rng=seed, period=(1.0, 1.0))
     except ValueError:
-        return recipe.crack(rng=SEED)
+        return recipe.crack(rng=seed)
 
 
 def sheet(pictures: dict[str, np.ndarray], side: int) -> Image.Image:

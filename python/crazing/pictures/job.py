@@ -186,5 +186,6 @@ def _place(source: Path, target: Path) -> None:
     """Puts a finished file, or folder of files, where it belongs."""
     target.parent.mkdir(exist_ok=True)
     if target.is_dir():
-        shutil.rmtree(target)
+        # A folder cannot be replaced in one step; the old one goes with the folder of parts.
+        target.replace(source.with_name(f"{source.name}.before"))
     source.replace(target)

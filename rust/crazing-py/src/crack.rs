@@ -1,9 +1,10 @@
 //! The steps of a crack.
 
 pub(crate) mod branches;
+pub(crate) mod course;
 
 use crazing::Point;
-use crazing::crack::{self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Splitting, Straightening};
+use crazing::crack::{self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Splitting};
 use crazing::rng::Key;
 use crazing::sample::Density;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
@@ -115,20 +116,16 @@ pub(crate) fn crack_pairs<'py>(py: Python<'py>, net: NetArrays<'py>, sharpest: f
 
 /// The vertices after straightening.
 #[pyfunction]
-#[allow(clippy::too_many_arguments, reason = "the face passes them one by one")]
 pub(crate) fn crack_straighten<'py>(
     py: Python<'py>,
     net: NetArrays<'py>,
     partner: PyReadonlyArray1<'py, i32>,
     fence: FenceArrays<'py>,
-    rounds: u32,
-    pull: f64,
-    slide: f64,
-    clamp: f64,
+    how: (u32, f64, f64, f64),
 ) -> PyResult<Table<'py, f64>> {
     let net = net.view()?;
     let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);
-    let how = Straightening { rounds, pull, slide, clamp };
+    let how = course::straightening(how);
     table(py, detached(py, |watch| crack::straighten(net, partner, fence, how, watch))?)
 }
 
@@ -142,7 +139,7 @@ pub(crate) fn crack_wrap<'py>(py: Python<'py>, net: NetArrays<'py>) -> PyResult<
 
 pub(crate) type AgedOut<'py> = (NetOut<'py>, FenceOut<'py>, Row<'py, i32>, Row<'py, i32>);
 
-fn aged_out(py: Python<'_>, aged: Aged) -> PyResult<AgedOut<'_>> {
+pub(crate) fn aged_out(py: Python<'_>, aged: Aged) -> PyResult<AgedOut<'_>> {
     let [partner, age] = [aged.partner, aged.age].map(|entries| PyArray1::from_vec(py, entries));
     Ok((net_out(py, aged.net)?, fence_out(py, aged.fence)?, partner, age))
 }
@@ -224,13 +221,9 @@ pub(crate) fn crack_trim<'py>(
 ) -> PyResult<AgedOut<'py>> {
     let view = net.view()?;
     let (fence, partner) = (fence.view(view)?, ends(&partner, view)?);
-    let trimmed = detached(py, |_| {
-        let (anchors, kites) = (fence.anchors.to_vec(), fence.kites.to_vec());
-        let fence = Fence { anchors, kites, shifts: Vec::new() };
-        let net = Net { shifts: Vec::new(), ..view.wrapped() };
-        Aged { net, fence, partner: partner.to_vec(), age }.trimmed(bounds)
-    })?;
-    aged_out(py, trimmed)
+    let wrapped = (!view.shifts.is_empty()).then(|| view.wrapped());
+    let view = wrapped.as_ref().map_or(view, Net::view);
+    aged_out(py, detached(py, |_| crack::trimmed(view, fence, partner, &age, bounds))?)
 }
 
 /// When the crack gets to both ends of every edge.
@@ -255,7 +248,7 @@ type Strands<'py> = (Table<'py, f64>, Row<'py, i32>, Row<'py, i32>, Row<'py, i32
 pub(crate) struct Widths(f64, f64, f64, f64, f64, f64, f64, Point, f64, f64);
 
 impl Widths {
-    fn profile(self) -> Profile {
+    pub(crate) fn profile(self) -> Profile {
         let Self(width, hierarchy, shrink, taper, abutting, unevenness, unit, source, reach, fade) = self;
         Profile { width, hierarchy, shrink, taper, abutting, unevenness, unit, source, reach, fade }
     }
@@ -274,14 +267,15 @@ pub(crate) fn crack_widths<'py>(
     let (net, profile) = (net.view()?, widths.profile());
     let partner = ends(&partner, net)?;
     let age = age.as_slice().unwrap_or_default();
-    let (widths, strands, parent) = detached(py, |_| {
-        let strands = crack::strands(net, partner, age);
-        let parent = strands.of_edge.iter().map(|&strand| strands.parent[strand as usize]).collect();
-        Ok((crack::widths(net, &strands, profile, key)?, strands, parent))
-    })?;
+    let looks = detached(py, |watch| crack::looks(net, partner, age, profile, key, watch))?;
     let [strand, generation, parent] =
-        [strands.of_edge, strands.generation, parent].map(|entries| PyArray1::from_vec(py, entries));
-    Ok((table(py, widths)?, strand, generation, parent))
+        [looks.strand, looks.generation, looks.parent].map(|entries| PyArray1::from_vec(py, entries));
+    Ok((table(py, looks.widths)?, strand, generation, parent))
+}
+
+/// The ages of edges, or none.
+pub(crate) fn ages<'a>(age: &'a PyReadonlyArray1<'_, i32>, net: NetView<'_>) -> PyResult<&'a [i32]> {
+    if age.len() == 0 { Ok(&[]) } else { column(age, "age", net.edges.len()) }
 }
 
 /// The partners of edge ends, each an end or -1.

@@ -20,15 +20,26 @@ pub(crate) struct Arrays<'py>(
 impl Arrays<'_> {
     /// A view whose indices all point somewhere, whoever made the arrays.
     pub(crate) fn view(&self) -> PyResult<DiagramView<'_>> {
-        let view = DiagramView {
+        let view = self.unchecked()?;
+        checked(view.check())?;
+        Ok(view)
+    }
+
+    /// A view for what reads dual edges and their ends alone: only these have been checked.
+    pub(crate) fn duals(&self) -> PyResult<DiagramView<'_>> {
+        let view = self.unchecked()?;
+        checked(view.check_duals())?;
+        Ok(view)
+    }
+
+    fn unchecked(&self) -> PyResult<DiagramView<'_>> {
+        Ok(DiagramView {
             sites: rows(&self.0)?,
             triangles: rows(&self.1)?,
             vertices: rows(&self.2)?,
             edges: rows(&self.3)?,
             dual_edges: rows(&self.4)?,
-        };
-        checked(view.check())?;
-        Ok(view)
+        })
     }
 }
 

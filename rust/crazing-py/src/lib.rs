@@ -9,6 +9,7 @@ mod graph;
 mod guard;
 mod maze;
 mod measure;
+mod pages;
 mod png;
 mod region;
 mod render;
@@ -19,12 +20,17 @@ mod tiff;
 
 use pyo3::prelude::*;
 
+#[global_allocator]
+static ALLOCATOR: pages::HugePages = pages::HugePages;
+
 #[pymodule(gil_used = false)]
 mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::crack::branches::{crack_parted, crack_roughen, crack_stubs};
+    use crate::crack::branches::{crack_part, crack_roughen, crack_stubs};
+    #[pymodule_export]
+    use crate::crack::course::crack_course;
     #[pymodule_export]
     use crate::crack::{
         crack_arrivals, crack_impact, crack_pairs, crack_spacing, crack_split, crack_straighten, crack_trim,

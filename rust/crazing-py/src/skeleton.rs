@@ -190,7 +190,7 @@ pub(crate) fn axis_edges<'py>(
     arrays: Arrays<'py>,
     mask: PyReadonlyArray1<'py, bool>,
 ) -> PyResult<Bound<'py, PyArray2<i32>>> {
-    let view = arrays.view()?;
-    let mask = column(&mask, "mask", view.edges.len())?;
+    let view = arrays.duals()?;
+    let mask = column(&mask, "mask", view.dual_edges.len())?;
     table(py, detached(py, |_| Ok(skeleton::axis_edges(view, mask)))?)
 }

@@ -4,6 +4,7 @@ use crate::diagram::scale::{Scale, largest};
 use crate::diagram::{DiagramView, representatives};
 use crate::error::{Error, Result};
 use crate::graph::{PlanarGraph, Point};
+use crate::parallel;
 
 /// xmin, ymin, xmax, ymax.
 pub type Bounds = [f64; 4];
@@ -37,32 +38,46 @@ pub fn check_bounds(bounds: Bounds) -> Result<()> {
 ///
 /// # Errors
 /// [`Error::BadValue`] for bounds without an area.
-pub fn dual_edges(view: DiagramView<'_>, bounds: Bounds, wanted: impl Fn(usize) -> bool) -> Result<Clipped> {
+pub fn dual_edges(view: DiagramView<'_>, bounds: Bounds, wanted: impl Fn(usize) -> bool + Sync) -> Result<Clipped> {
     check_bounds(bounds)?;
     // Sites may be far smaller than the bounds: directions are taken in the unit of the sites, positions in a common one.
     let fine = Scale::of(largest(view.sites));
     let scale = Scale::of(largest(view.sites).max(largest(&[[bounds[0], bounds[1]], [bounds[2], bounds[3]]])));
     let (low, high) = (scale.down([bounds[0], bounds[1]]), scale.down([bounds[2], bounds[3]]));
     let representative = representatives(view);
-    let mut clipped =
-        Clipped { graph: PlanarGraph { vertices: view.vertices.to_vec(), edges: Vec::new() }, rows: Vec::new() };
-    for k in (0..view.edges.len()).filter(|&k| wanted(k)) {
-        let line = Bisector::of(view, k, fine, scale);
-        let Some(inside) = line.within(low, high) else { continue };
-        let mut cut = |t: f64| {
-            let on_bounds = |x: f64, axis: usize| x.clamp(bounds[axis], bounds[axis + 2]);
-            let [x, y] = scale.up(line.at(t));
-            clipped.graph.vertices.push([on_bounds(x, 0), on_bounds(y, 1)]);
-            clipped.graph.vertices.len() as i32 - 1
-        };
-        let [right, left] = view.dual_edges[k];
-        let from =
-            if right == -1 || inside[0] > line.ends[0] { cut(inside[0]) } else { representative[right as usize] };
-        let to = if left == -1 || inside[1] < line.ends[1] { cut(inside[1]) } else { representative[left as usize] };
-        clipped.graph.edges.push([from, to]);
-        clipped.rows.push(k as i32);
+    let vertices = view.vertices.len();
+    // Where an edge is cut stands the number of its place after the vertices, counted anew in every range.
+    let found = parallel::ranges(view.edges.len(), |range| {
+        let (mut edges, mut rows, mut places) = (Vec::with_capacity(range.len()), Vec::new(), Vec::new());
+        for k in range.filter(|&k| wanted(k)) {
+            let line = Bisector::of(view, k, fine, scale);
+            let Some(inside) = line.within(low, high) else { continue };
+            let mut cut = |t: f64| {
+                let on_bounds = |x: f64, axis: usize| x.clamp(bounds[axis], bounds[axis + 2]);
+                let [x, y] = scale.up(line.at(t));
+                places.push([on_bounds(x, 0), on_bounds(y, 1)]);
+                (vertices + places.len()) as i32 - 1
+            };
+            let [right, left] = view.dual_edges[k];
+            let from =
+                if right == -1 || inside[0] > line.ends[0] { cut(inside[0]) } else { representative[right as usize] };
+            let to =
+                if left == -1 || inside[1] < line.ends[1] { cut(inside[1]) } else { representative[left as usize] };
+            edges.push([from, to]);
+            rows.push(k as i32);
+        }
+        (edges, rows, places)
+    });
+    let count = found.iter().map(|(edges, _, _)| edges.len()).sum();
+    let (mut edges, mut rows) = (Vec::with_capacity(count), Vec::with_capacity(count));
+    let mut places = view.vertices.to_vec();
+    for (some, of_some, cuts) in found {
+        let before = (places.len() - vertices) as i32;
+        edges.extend(some.into_iter().map(|ends| ends.map(|v| if v < vertices as i32 { v } else { v + before })));
+        rows.extend(of_some);
+        places.extend(cuts);
     }
-    Ok(clipped)
+    Ok(Clipped { graph: PlanarGraph { vertices: places, edges }, rows })
 }
 
 /// Dual edges as ways between two points, rays and far ends cut.

@@ -55,16 +55,16 @@ fn all_ranges(len: usize) -> impl Iterator<Item = Range<usize>> {
 }
 
 /// `f` of ranges that make up `0..len`, each with the part of `found` that is its own: item by item, where one thread
-/// has several under way at once.
-pub(crate) fn fill<T: Send>(found: &mut [T], f: impl Fn(Range<usize>, &mut [T]) + Sync + Send) {
+/// has several under way at once. What it gives of each range, in order.
+pub(crate) fn fill<T: Send, R: Send>(found: &mut [T], f: impl Fn(Range<usize>, &mut [T]) -> R + Sync + Send) -> Vec<R> {
     const SIZE: usize = WORTHWHILE / 8;
     let part = |i: usize, part: &mut [T]| f(i * SIZE..i * SIZE + part.len(), part);
     choose(
         found.len(),
         found,
-        |found| found.chunks_mut(SIZE).enumerate().for_each(|(i, found)| part(i, found)),
-        |found| found.par_chunks_mut(SIZE).enumerate().for_each(|(i, found)| part(i, found)),
-    );
+        |found| found.chunks_mut(SIZE).enumerate().map(|(i, found)| part(i, found)).collect(),
+        |found| found.par_chunks_mut(SIZE).enumerate().map(|(i, found)| part(i, found)).collect(),
+    )
 }
 
 /// Row `i` of `f` at `places[i]`, for places that are `0..places.len()` in some order.
@@ -83,16 +83,32 @@ pub(crate) fn scatter<const N: usize>(places: &[u32], f: impl Fn(usize) -> [i32;
 /// growing a table is dearer.
 pub(crate) fn compact<T: Send + Copy + Default>(len: usize, keep: impl Fn(usize) -> Option<T> + Sync + Send) -> Vec<T> {
     let counts = ranges(len, |range| range.filter(|&i| keep(i).is_some()).count());
+    compact_counted(len, &counts, keep)
+}
+
+/// The same where it is known how many there are in each of the [`ranges`].
+pub(crate) fn compact_counted<T: Send + Copy + Default>(
+    len: usize,
+    counts: &[usize],
+    keep: impl Fn(usize) -> Option<T> + Sync + Send,
+) -> Vec<T> {
     let mut found = vec![T::default(); counts.iter().sum()];
     let mut rest = found.as_mut_slice();
     let mut parts = Vec::with_capacity(counts.len());
-    for (range, count) in all_ranges(len).zip(counts) {
+    for (range, &count) in all_ranges(len).zip(counts) {
         let part;
         (part, rest) = rest.split_at_mut(count);
         parts.push((range, part));
     }
     let write = |(range, part): (Range<usize>, &mut [T])| {
-        part.iter_mut().zip(range.filter_map(&keep)).for_each(|(slot, kept)| *slot = kept);
+        // Every item is written, and the next over it if it is not kept: whether it is cannot be foretold.
+        let mut next = 0;
+        for kept in range.map(&keep) {
+            if let Some(slot) = part.get_mut(next) {
+                *slot = kept.unwrap_or_default();
+            }
+            next += usize::from(kept.is_some());
+        }
     };
     choose(len, parts, |parts| parts.into_iter().for_each(write), |parts| parts.into_par_iter().for_each(write));
     found
@@ -146,6 +162,19 @@ pub(crate) fn shared<T>(mut all: &mut [T], counts: impl Iterator<Item = usize>) 
         all = rest;
         part
     })
+}
+
+/// `f` of ranges that make up `0..len`, each with the items of its own: those of `i` are the ones from `start(i)` to
+/// `start(i + 1)`.
+pub(crate) fn grouped<T: Send>(
+    len: usize,
+    start: impl Fn(usize) -> usize,
+    items: &mut [T],
+    f: impl Fn(Range<usize>, &mut [T]) + Sync + Send,
+) {
+    let (count, sizes) = (items.len(), all_ranges(len).map(|range| start(range.end) - start(range.start)));
+    let all = all_ranges(len).zip(shared(items, sizes)).collect();
+    parts(count, all, |(range, items)| f(range, items));
 }
 
 /// `f` of each of some parts that hold `len` items in all, in any order.

@@ -25,6 +25,23 @@ pub fn normal(p: f64) -> f64 {
     if q < 0.0 { -distance } else { distance }
 }
 
+/// [`normal`] of every number, in place: the middle is worked out for all at once, and the tails again by themselves.
+pub fn normal_each(numbers: &mut [f64]) {
+    /// Few enough to stay in registers and the nearest cache.
+    const TOGETHER: usize = 8;
+    for some in numbers.chunks_mut(TOGETHER) {
+        let mut given = [0.5; TOGETHER];
+        given[..some.len()].copy_from_slice(some);
+        let found = given.map(|p| {
+            let q = p - 0.5;
+            q * rational(&CENTRE, 0.180_625 - q * q)
+        });
+        for ((slot, p), centre) in some.iter_mut().zip(given).zip(found) {
+            *slot = if (p - 0.5).abs() <= 0.425 { centre } else { normal(p) };
+        }
+    }
+}
+
 /// Numerator and denominator of a rational function, lowest power first.
 type Rational = [[f64; 8]; 2];
 
@@ -103,3 +120,20 @@ const FAR: Rational = [
         2.044_263_103_389_939_785_64e-15,
     ],
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::{normal, normal_each};
+    use crate::rng::{block, open_unit};
+
+    #[test]
+    fn many_are_what_each_is() {
+        for count in [0, 1, 7, 8, 9, 1000] {
+            let words = (0..count).map(|i| open_unit(block([1, 2], [i, 0, 0, 0])[0]));
+            let mut numbers: Vec<f64> = words.chain([0.075, 0.925, 1e-300]).collect();
+            let wanted: Vec<u64> = numbers.iter().map(|&p| normal(p).to_bits()).collect();
+            normal_each(&mut numbers);
+            assert_eq!(numbers.iter().map(|x| x.to_bits()).collect::<Vec<_>>(), wanted);
+        }
+    }
+}

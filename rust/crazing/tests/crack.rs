@@ -4,7 +4,7 @@
 mod drawings;
 mod families;
 
-use crazing::crack::{pairs, straighten, strands, warp};
+use crazing::crack::{Profile, looks, pairs, straighten, strands, warp, widths};
 use crazing::{Point, Watch};
 use drawings::*;
 use proptest::prelude::*;
@@ -95,6 +95,13 @@ proptest! {
                 prop_assert!(older.iter().any(|&end| [end, end ^ 1].iter().any(|&e| tips.contains(&net.view().vertex(e)))));
             }
             prop_assert!(seen.iter().all(|&times| times == 1));
+            // Pieces that follow one another are looked at as one, and give the same bits as each by itself.
+            let profile = Profile { width: 1.0, unevenness: 0.4, unit: unit(bounds, n), fade: 0.5, ..Profile::default() };
+            let seen = looks(net.view(), partner, &[], profile, [seed, 9], Watch::default()).unwrap();
+            prop_assert_eq!(seen.widths, widths(net.view(), &found, profile, [seed, 9]).unwrap());
+            prop_assert_eq!((seen.strand, seen.generation), (found.of_edge.clone(), found.generation.clone()));
+            let parent: Vec<i32> = found.of_edge.iter().map(|&strand| found.parent[strand as usize]).collect();
+            prop_assert_eq!(seen.parent, parent);
         }
     }
 

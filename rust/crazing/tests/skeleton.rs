@@ -50,6 +50,65 @@ fn a_flower_is_reconstructed() {
     );
 }
 
+/// The test on the four sites of every edge, in exact numbers.
+fn literal(d: &Diagram) -> Vec<bool> {
+    let at = |site: i32| d.sites[site as usize];
+    let apex = |k: usize, t: i32| {
+        let corners = d.triangles[t as usize];
+        at(*corners.iter().find(|corner| !d.edges[k].contains(corner)).unwrap())
+    };
+    let is_crust = |k: usize| {
+        let [p, q] = d.edges[k].map(at);
+        match d.dual_edges[k] {
+            [t, -1] | [-1, t] => apex_sign(p, q, apex(k, t)) > 0.0,
+            [right, left] => one_step_sign(p, q, apex(k, right), apex(k, left)) >= 0.0,
+        }
+    };
+    (0..d.edges.len()).map(is_crust).collect()
+}
+
+#[test]
+fn edges_are_told_apart_where_a_chain_of_vertices_shares_one_place_far_from_its_own() {
+    // Inside a ring that is nearly a circle all vertices share one place. Outside of it every edge has a site that
+    // would make it a tie if the ring were a circle about that place, but for a little: less, as much, and more than
+    // the place is off.
+    let count = 600;
+    for flat in [0.0, 1e-12, 1e-9, 2e-8] {
+        let mut rng = crazing::rng::Rng::new([7, 0], 1);
+        let step = std::f64::consts::TAU / f64::from(count);
+        let at = |turn: f64, radius: f64| [(1.0 + flat) * radius * libm::cos(turn), radius * libm::sin(turn)];
+        let tie = 1.0 / libm::cos(0.5 * step) + libm::tan(0.5 * step);
+        let ring = (0..count).map(|i| at(step * f64::from(i), 1.0));
+        let mut beyond = Vec::new();
+        for i in 0..count {
+            let off = libm::pow(10.0, -3.0 - 11.0 * rng.unit()) * if i % 2 == 0 { 1.0 } else { -1.0 };
+            beyond.push(at(step * (f64::from(i) + 0.5), tie * (1.0 + off)));
+        }
+        let d = of(&ring.chain(beyond).collect::<Vec<_>>());
+        let shared = d.dual_edges.iter().filter(|dual| !dual.contains(&-1));
+        let shared = shared.filter(|dual| d.vertices[dual[0] as usize] == d.vertices[dual[1] as usize]).count();
+        assert!(shared > 500, "{shared}");
+        let (crust, literal) = (one_step(d.view()).unwrap(), literal(&d));
+        assert_eq!(crust, literal);
+        let on_ring = (0..crust.len()).filter(|&k| d.edges[k].iter().all(|&site| site < count));
+        let kept = on_ring.filter(|&k| crust[k]).count();
+        assert!((200..400).contains(&kept), "{kept}");
+    }
+}
+
+#[test]
+fn every_family_is_decided_as_by_the_four_sites_of_each_edge() {
+    for name in ["uniform", "curve", "grid", "circle"] {
+        for (size, offset) in [(1.0, 0.0), (1e-9, 0.0), (1e-160, 0.0), (1e150, 0.0), (1.0, 1e9)] {
+            let points: Vec<Point> = family(name, 700, 3).iter().map(|p| p.map(|x| size * (x + offset))).collect();
+            let d = of(&points);
+            if !d.triangles.is_empty() && size > 1e-100 && size < 1e100 {
+                assert_eq!(one_step(d.view()).unwrap(), literal(&d), "{name} {size} {offset}");
+            }
+        }
+    }
+}
+
 #[test]
 fn degenerate_input_is_an_error_of_its_own() {
     let few = of(&[[0.0, 0.0], [1.0, 0.0]]);

@@ -1,10 +1,11 @@
 //! Drawings whose cracks know their age, and trimming them to bounds.
 
-use super::fence::Fence;
-use super::net::{Ends, NONE, Net};
+use super::fence::{Fence, FenceView};
+use super::net::{Ends, NONE, Net, NetView};
 use crate::clip::{Bounds, check_bounds};
 use crate::error::Result;
 use crate::graph::Point;
+use crate::parallel;
 
 /// A drawing whose cracks know their age.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -41,69 +42,99 @@ pub(super) fn by_age(net: &Net, age: &[i32]) -> Vec<i32> {
 }
 
 impl Aged {
-    /// The part within bounds, in the plane: edges are cut there, and what stays is numbered anew.
+    /// See [`trimmed`].
     ///
     /// # Errors
     /// [`crate::Error::BadValue`] for bounds without an area.
-    pub fn trimmed(self, bounds: Bounds) -> Result<Self> {
-        check_bounds(bounds)?;
-        let Self { mut net, fence, partner, age } = self;
+    pub fn trimmed(&self, bounds: Bounds) -> Result<Self> {
+        trimmed(self.net.view(), self.fence.view(), &self.partner, &self.age, bounds)
+    }
+}
+
+/// The part of a drawing within bounds, in the plane: edges are cut there, and what stays is numbered anew.
+///
+/// # Errors
+/// [`crate::Error::BadValue`] for bounds without an area.
+pub fn trimmed(net: NetView<'_>, fence: FenceView<'_>, partner: &[i32], age: &[i32], bounds: Bounds) -> Result<Aged> {
+    check_bounds(bounds)?;
+    let (before, drawn) = (net.vertices.len(), net.edges.len());
+    let Kept { rows: kept, ends, number, places } = Kept::of(net, bounds);
+    // Vertices in use first; the others become anchors, which stay where they are.
+    let mut row = vec![NONE; before + places.len()];
+    ends.iter().flatten().for_each(|&vertex| row[vertex as usize] = 0);
+    let used: Vec<usize> = (0..row.len()).filter(|&vertex| row[vertex] == 0).collect();
+    let others: Vec<usize> = (0..before).filter(|&vertex| row[vertex] == NONE).collect();
+    for (place, &vertex) in used.iter().chain(&others).enumerate() {
+        row[vertex] = place as i32;
+    }
+    let points = (used.len() + others.len()) as i32;
+    let renumbered = |point: i32| match point {
+        NONE => NONE,
+        _ if (point as usize) < before => row[point as usize],
+        _ => points + point - before as i32,
+    };
+    let edges = parallel::map(kept.len(), |i| ends[i].map(|vertex| row[vertex as usize]));
+    let kites = parallel::map(kept.len() + fence.kites.len() - drawn, |i| match kept.get(i) {
+        Some(&k) => {
+            let [_, _, left, right] = fence.kites[k].map(renumbered);
+            [edges[i][0], edges[i][1], left, right]
+        }
+        None => fence.kites[drawn + i - kept.len()].map(renumbered),
+    });
+    let partner_of = |i: usize, side: usize| match partner[2 * kept[i] + side] {
+        // A cut end goes on outside.
+        NONE => NONE,
+        _ if ends[i][side] as usize >= before => NONE,
+        other => number[other as usize],
+    };
+    let place = |vertex: usize| *net.vertices.get(vertex).unwrap_or_else(|| &places[vertex - before]);
+    Ok(Aged {
+        partner: parallel::map(2 * kept.len(), |end| partner_of(end / 2, end % 2)),
+        age: kept.iter().filter_map(|&k| age.get(k).copied()).collect(),
+        fence: Fence {
+            anchors: others.iter().map(|&vertex| net.vertices[vertex]).chain(fence.anchors.iter().copied()).collect(),
+            kites,
+            shifts: Vec::new(),
+        },
+        net: Net {
+            vertices: parallel::map(used.len(), |i| place(used[i])),
+            edges,
+            cut: used.iter().map(|&vertex| vertex >= before || net.cut[vertex]).collect(),
+            ..Net::default()
+        },
+    })
+}
+
+/// The edges of which a part lies within bounds.
+struct Kept {
+    rows: Vec<usize>,
+    /// Their vertices; numbers after those of the drawing are places on the bounds.
+    ends: Vec<[i32; 2]>,
+    /// What the ends of all edges are now, or -1.
+    number: Vec<i32>,
+    /// Where edges are cut.
+    places: Vec<Point>,
+}
+
+impl Kept {
+    fn of(net: NetView<'_>, bounds: Bounds) -> Self {
         let (before, drawn) = (net.vertices.len(), net.edges.len());
-        let mut kept = Vec::new();
-        let mut number = vec![NONE; 2 * drawn];
-        for k in 0..drawn {
-            let Some(cuts) = within(net.edges[k].map(|v| net.vertices[v as usize]), bounds) else { continue };
+        let inside = parallel::map(drawn, |k| within(net.edges[k].map(|v| net.vertices[v as usize]), bounds));
+        let (rows, ends, places) = (Vec::with_capacity(drawn), Vec::with_capacity(drawn), Vec::new());
+        let mut kept = Self { rows, ends, number: vec![NONE; 2 * drawn], places };
+        for (k, cuts) in inside.into_iter().enumerate() {
+            let (Some(cuts), mut edge) = (cuts, net.edges[k]) else { continue };
             for (side, cut) in cuts.into_iter().enumerate() {
-                number[2 * k + side] = 2 * kept.len() as i32 + side as i32;
+                kept.number[2 * k + side] = 2 * kept.rows.len() as i32 + side as i32;
                 if let Some(place) = cut {
-                    net.edges[k][side] = net.vertices.len() as i32;
-                    net.vertices.push(place);
-                    net.cut.push(true);
+                    edge[side] = (before + kept.places.len()) as i32;
+                    kept.places.push(place);
                 }
             }
-            kept.push(k);
+            kept.rows.push(k);
+            kept.ends.push(edge);
         }
-        // Vertices in use first; the others become anchors, which stay where they are.
-        let mut row = vec![NONE; net.vertices.len()];
-        kept.iter().flat_map(|&k| &net.edges[k]).for_each(|&vertex| row[vertex as usize] = 0);
-        let used: Vec<usize> = (0..row.len()).filter(|&vertex| row[vertex] == 0).collect();
-        let others: Vec<usize> = (0..before).filter(|&vertex| row[vertex] == NONE).collect();
-        for (place, &vertex) in used.iter().chain(&others).enumerate() {
-            row[vertex] = place as i32;
-        }
-        let points = (used.len() + others.len()) as i32;
-        let renumbered = |point: i32| match point {
-            NONE => NONE,
-            _ if (point as usize) < before => row[point as usize],
-            _ => points + point - before as i32,
-        };
-        let ends = |k: usize| net.edges[k].map(|vertex| row[vertex as usize]);
-        let kite = |k: usize| {
-            let [from, to, left, right] = fence.kites[k].map(renumbered);
-            let [from, to] = if k < drawn { ends(k) } else { [from, to] };
-            [from, to, left, right]
-        };
-        let partner_of = |end: usize| match partner[end] {
-            // A cut end goes on outside.
-            NONE => NONE,
-            _ if net.edges[end / 2][end % 2] as usize >= before => NONE,
-            other => number[other as usize],
-        };
-        Ok(Self {
-            partner: kept.iter().flat_map(|&k| [2 * k, 2 * k + 1]).map(partner_of).collect(),
-            age: kept.iter().filter_map(|&k| age.get(k).copied()).collect(),
-            fence: Fence {
-                anchors: others.iter().map(|&vertex| net.vertices[vertex]).chain(fence.anchors).collect(),
-                kites: kept.iter().copied().chain(drawn..fence.kites.len()).map(kite).collect(),
-                shifts: Vec::new(),
-            },
-            net: Net {
-                vertices: used.iter().map(|&vertex| net.vertices[vertex]).collect(),
-                edges: kept.iter().map(|&k| ends(k)).collect(),
-                cut: used.iter().map(|&vertex| net.cut[vertex]).collect(),
-                ..Net::default()
-            },
-        })
+        kept
     }
 }
 

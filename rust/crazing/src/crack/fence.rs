@@ -57,6 +57,11 @@ impl Fence {
 }
 
 impl FenceView<'_> {
+    /// A copy that owns its arrays.
+    pub fn to_fence(&self) -> Fence {
+        Fence { anchors: self.anchors.to_vec(), kites: self.kites.to_vec(), shifts: self.shifts.to_vec() }
+    }
+
     /// Checks that the fence fits the drawing.
     ///
     /// # Errors
@@ -90,7 +95,7 @@ pub(super) struct Guard<'a> {
     scale: Scale,
     /// Vertices, then anchors, in the unit of exact work.
     points: Vec<Point>,
-    /// Where they are to be; kept for its memory.
+    /// Where vertices are to be; kept for its memory.
     goals: Vec<Point>,
     movable: usize,
     /// No coordinate is much larger than this.
@@ -133,7 +138,8 @@ impl<'a> Guard<'a> {
     /// before it moved and those behind it not.
     pub(super) fn advance(&mut self, moves: &[(u32, Point)], watch: Watch<'_>) -> Result<()> {
         let mut after = std::mem::take(&mut self.goals);
-        after.clone_from(&self.points);
+        after.clear();
+        after.extend_from_slice(&self.points[..self.movable]);
         for &(vertex, to) in moves {
             after[vertex as usize] = part_of(1.0, self.points[vertex as usize], to);
         }
@@ -151,7 +157,8 @@ impl<'a> Guard<'a> {
             let now = |other: usize| if is_before(other) { after[other] } else { self.points[other] };
             after[vertex as usize] = self.farthest(about.at(i), vertex as usize, to, now);
         }
-        self.goals = std::mem::replace(&mut self.points, after);
+        self.points[..self.movable].copy_from_slice(&after);
+        self.goals = after;
         Ok(())
     }
 
@@ -205,7 +212,8 @@ impl<'a> Guard<'a> {
         }
         let way = |i: usize| {
             let corner = kite[i] as usize;
-            [self.moved(row, i, self.points[corner]), self.moved(row, i, goals[corner])]
+            let from = self.moved(row, i, self.points[corner]);
+            [from, goals.get(corner).map_or(from, |&goal| self.moved(row, i, goal))]
         };
         let (a, b, left, right) = (way(0), way(1), way(2), way(3));
         self.paves(a, b, left) && self.paves(b, a, right)

@@ -1,6 +1,8 @@
 //! Hooks: where a crack turns back on itself, as the wall about a plate does and no crack that grew.
 
-use super::net::{Ends, NONE, NetView};
+use super::aged::Aged;
+use super::fence::{Fence, FenceView};
+use super::net::{Ends, NONE, Net, NetView};
 use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::watch::Watch;
@@ -50,6 +52,48 @@ pub fn parted(net: NetView<'_>, partner: &[i32], sharpest: f64, reach: f64, watc
         }
     }
     Ok(stays)
+}
+
+/// The drawing without the edges that [`parted`] leaves out: `turn` is its sharpest turn and its reach. Their kites stay
+/// as those of edges that are not drawn.
+///
+/// # Errors
+/// Those of [`parted`].
+pub fn part(
+    net: NetView<'_>,
+    partner: &[i32],
+    fence: FenceView<'_>,
+    age: &[i32],
+    [sharpest, reach]: [f64; 2],
+    watch: Watch<'_>,
+) -> Result<Aged> {
+    let stays = parted(net, partner, sharpest, reach, watch)?;
+    let drawn: Vec<usize> = (0..stays.len()).filter(|&k| stays[k]).collect();
+    let gone = (0..stays.len()).filter(|&k| !stays[k]);
+    let rows: Vec<usize> = drawn.iter().copied().chain(gone).chain(stays.len()..fence.kites.len()).collect();
+    let mut number = vec![NONE; stays.len()];
+    drawn.iter().zip(0..).for_each(|(&k, place)| number[k] = place);
+    let partner_of = |end: i32| match end {
+        NONE => NONE,
+        _ if !stays[end as usize / 2] => NONE,
+        _ => 2 * number[end as usize / 2] + end % 2,
+    };
+    Ok(Aged {
+        net: Net {
+            vertices: net.vertices.to_vec(),
+            edges: drawn.iter().map(|&k| net.edges[k]).collect(),
+            shifts: drawn.iter().filter_map(|&k| net.shifts.get(k).copied()).collect(),
+            period: net.period,
+            cut: net.cut.to_vec(),
+        },
+        fence: Fence {
+            anchors: fence.anchors.to_vec(),
+            kites: rows.iter().map(|&row| fence.kites[row]).collect(),
+            shifts: rows.iter().filter_map(|&row| fence.shifts.get(row).copied()).collect(),
+        },
+        partner: drawn.iter().flat_map(|&k| [partner[2 * k], partner[2 * k + 1]].map(partner_of)).collect(),
+        age: drawn.iter().filter_map(|&k| age.get(k).copied()).collect(),
+    })
 }
 
 /// Ends by which edges are entered, from `end` along its crack for a length, each with the run before it.

@@ -1,10 +1,11 @@
 //! An impact on glass: straight spokes first, then arcs between them, and new spokes where the old ones lie far apart.
 
+mod drawn;
+
 use std::collections::VecDeque;
 
-use super::aged::{Aged, by_age};
-use super::fence::Fence;
-use super::net::{NONE, Net};
+use super::aged::Aged;
+use super::net::NONE;
 use crate::clip::{Bounds, check_bounds};
 use crate::error::{Error, Result};
 use crate::graph::Point;
@@ -20,17 +21,27 @@ const CRUSHED: f64 = 0.025;
 const OWN: f64 = 0.96;
 /// There, how much nearer to the source than that they may end, as a part of the way.
 const EARLY: f64 = 0.3;
+/// The narrowest and the widest angle between the first spokes, before they are scaled to a full turn.
+const GAPS: [f64; 2] = [0.45, 1.75];
 /// Radians of arc a piece.
 const PIECE: f64 = 0.2;
-/// How far, as a part of the distance to the source, an arc is off at a spoke; less than half the step to the next.
-const OFF: f64 = 0.1;
-/// Arcs are as straight as they can be: their middle is nearer to the source by no more than this part of their distance,
-/// which with what they are off at their ends is less than half the step to the next.
-const SAG: f64 = 0.02;
-/// An arc as long as this many sides of a piece is too long: a new spoke leaves its middle.
+/// How far, as a part of the distance to the source, an arc is off at a spoke.
+const OFF: f64 = 0.12;
+/// Arcs are as straight as they can be: their middle is nearer to the source by no more than this part of their
+/// distance.
+const SAG: f64 = 0.06;
+/// The next arc of a wedge is at least this many times as far: more than (1 + OFF) / (1 - OFF - SAG), so that arcs stay
+/// in order.
+const STEP: f64 = 1.4;
+/// An arc as long as this many sides of a piece is too long: a new spoke leaves its middle, or a spoke forks.
 const LONG: f64 = 2.2;
-/// How near the room about an edge comes to its neighbours.
-const ROOM: f64 = 0.25;
+/// The share of those that are forks, and the most radians beside its spoke that one leads on, for each time as far: it
+/// leaves at about twice that.
+const FORKS: f64 = 0.4;
+const FORKED: f64 = 0.22;
+/// The crushed zone: within this part of the reach a piece is broken up by a short spoke, as often as this.
+const CORE: f64 = 0.16;
+const CHIPPED: f64 = 0.6;
 
 /// What hits, and how finely it shatters.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,8 +98,12 @@ struct Spoke {
 struct Wedge {
     spokes: [usize; 2],
     from: f64,
+    /// Where it ends, if a younger crack closes it.
+    to: f64,
     /// Radians between the spokes.
     wide: f64,
+    /// The share of arcs between these two, of what there are on average.
+    busy: f64,
 }
 
 struct Star {
@@ -104,6 +119,8 @@ struct Star {
     spokes: Vec<Spoke>,
     wedges: VecDeque<Wedge>,
     arcs: Vec<(Vec<i32>, i32, f64)>,
+    /// Vertices where a spoke forks, and the radians between the two.
+    forks: Vec<(i32, f64)>,
     ages: i32,
 }
 
@@ -120,18 +137,32 @@ impl Star {
         let growth = libm::pow(1.0 / CRUSHED, 1.0 / rings).max(1.3);
         let side = LONG * reach * (std::f64::consts::PI / how.cells.max(1) as f64).sqrt();
         let rng = Rng::new(key, stream::IMPACT);
-        let (points, spokes, wedges, arcs) = (vec![how.source], Vec::new(), VecDeque::new(), Vec::new());
-        let mut star = Self { how, half, reach, growth, side, rng, points, spokes, wedges, arcs, ages: 0 };
-        let (turn, gap) = (star.rng.unit(), std::f64::consts::TAU / count as f64);
-        for i in 0..count {
-            let angle = gap * (i as f64 + turn + 0.5 * (star.rng.unit() - 0.5));
+        let mut star = Self {
+            how,
+            half,
+            reach,
+            growth,
+            side,
+            rng,
+            points: vec![how.source],
+            spokes: Vec::new(),
+            wedges: VecDeque::new(),
+            arcs: Vec::new(),
+            forks: Vec::new(),
+            ages: 0,
+        };
+        let gaps: Vec<f64> = (0..count).map(|_| GAPS[0] + (GAPS[1] - GAPS[0]) * star.rng.unit()).collect();
+        let scale = std::f64::consts::TAU / gaps.iter().sum::<f64>();
+        let mut angle = std::f64::consts::TAU * star.rng.unit();
+        for gap in &gaps {
             star.add_spoke(angle, (0.0, 0));
+            angle += scale * gap;
         }
-        for i in 0..count {
-            let next = (i + 1) % count;
-            let wide = star.spokes[next].angle - star.spokes[i].angle;
-            let wide = if wide > 0.0 { wide } else { wide + std::f64::consts::TAU };
-            star.wedges.push_back(Wedge { spokes: [i, next], from: CRUSHED * star.reach, wide });
+        for (i, gap) in gaps.into_iter().enumerate() {
+            let from = CRUSHED * star.reach * (0.5 + star.rng.unit());
+            let busy = star.rng.unit();
+            let spokes = [i, (i + 1) % count];
+            star.wedges.push_back(Wedge { spokes, from, to: f64::INFINITY, wide: scale * gap, busy: 0.3 + 1.4 * busy });
         }
         star
     }
@@ -170,29 +201,83 @@ impl Star {
     }
 
     fn fill(&mut self, wedge: &Wedge) {
-        let most = self.spokes[wedge.spokes[0]].to.min(self.spokes[wedge.spokes[1]].to).min(self.reach);
+        let [a, b] = wedge.spokes;
+        let most = self.spokes[a].to.min(self.spokes[b].to).min(self.reach).min(wedge.to);
         let mut far = wedge.from;
         loop {
-            // At least (1 + OFF) / (1 - OFF) times as far, so that arcs stay in order.
-            far *= 1.25 + (self.growth - 1.25).max(0.0) * (0.4 + 1.2 * self.rng.unit());
+            far *= STEP
+                + (self.growth - STEP).max(0.0) * self.rng.unit()
+                + 0.2 * -libm::log(open_unit(self.rng.next_u64()));
             if far * (1.0 + OFF) >= most {
                 return;
             }
-            let wide = far * wedge.wide > (0.8 + 0.5 * self.rng.unit()) * self.side;
-            let kept = self.rng.unit() < self.how.arcs * (1.0 - far / self.reach).max(0.0).sqrt();
-            if wide {
-                let (middle, angle) = self.arc(wedge, far, true);
-                let spoke = self.add_spoke(angle, middle);
-                let [a, b] = wedge.spokes;
-                let wide = 0.5 * wedge.wide;
-                self.wedges.push_back(Wedge { spokes: [a, spoke], from: far * (1.0 + OFF), wide });
-                self.wedges.push_back(Wedge { spokes: [spoke, b], from: far * (1.0 + OFF), wide });
+            let is_wide = far * wedge.wide > (0.8 + 0.5 * self.rng.unit()) * self.side;
+            let share = self.how.arcs * wedge.busy * (1.0 - far / self.reach).max(0.0).sqrt();
+            let (is_kept, is_chipped) = (self.rng.unit() < share, self.rng.unit() < CHIPPED * self.how.arcs);
+            if is_wide {
+                return self.part(wedge, far, most);
+            }
+            if far < CORE * self.reach && is_chipped && self.chip(wedge, far, most) {
                 return;
             }
-            if kept {
+            if is_kept {
                 self.arc(wedge, far, false);
             }
         }
+    }
+
+    /// A new spoke in a wedge that has become too wide: from the middle of an arc, or forking off one of its spokes.
+    fn part(&mut self, wedge: &Wedge, far: f64, most: f64) {
+        let (is_fork, is_first) = (self.rng.unit() < FORKS, self.rng.unit() < 0.5);
+        let (off, straight) = (0.3 + 0.25 * self.rng.unit(), far * (1.6 + 0.8 * self.rng.unit()));
+        let off = (off * wedge.wide).min(FORKED * (straight / far - 1.0));
+        let [a, b] = wedge.spokes;
+        let (spoke, from, part) = if is_fork && straight < most {
+            let (old, off) = if is_first { (a, off) } else { (b, -off) };
+            let part = if is_first { off / wedge.wide } else { 1.0 + off / wedge.wide };
+            (self.fork(old, far, off, straight), straight, part)
+        } else {
+            let (middle, angle) = self.arc(wedge, far, true);
+            (self.add_spoke(angle, middle), far * (1.0 + OFF), 0.5)
+        };
+        for (spokes, part) in [([a, spoke], part), ([spoke, b], 1.0 - part)] {
+            let busy = wedge.busy * (0.6 + 0.8 * self.rng.unit());
+            self.wedges.push_back(Wedge { spokes, from, to: wedge.to, wide: part * wedge.wide, busy });
+        }
+    }
+
+    /// A spoke that leaves another and is `off` radians beside it at a distance, from where it leads away from the source.
+    fn fork(&mut self, old: usize, far: f64, off: f64, straight: f64) -> usize {
+        let angle = self.spokes[old].angle;
+        let root = self.add_point(angle, far);
+        self.spokes[old].at.push((far, root));
+        self.forks.push((root, off.abs()));
+        let spoke = self.add_spoke(angle + off, (far, root));
+        let bend = self.add_point(angle + off, straight);
+        self.spokes[spoke].at.push((straight, bend));
+        self.spokes[spoke].to = self.spokes[spoke].to.max(straight);
+        spoke
+    }
+
+    /// Breaks up a piece near the source: a short spoke between two arcs, and what lies on both its sides. Whether there
+    /// is room for it.
+    fn chip(&mut self, wedge: &Wedge, far: f64, most: f64) -> bool {
+        let end = far * STEP * STEP * (1.0 + 0.8 * self.rng.unit());
+        if end * (1.0 + OFF) >= most {
+            return false;
+        }
+        let (start, angle) = self.arc(wedge, far, true);
+        let spoke = self.add_spoke(angle, start);
+        let (middle, _) = self.arc(wedge, end, true);
+        self.spokes[spoke].at.push(middle);
+        self.spokes[spoke].to = middle.0;
+        let [a, b] = wedge.spokes;
+        let (from, to, wide) = (far * (1.0 + OFF), end * (1.0 - OFF - SAG), 0.5 * wedge.wide);
+        for spokes in [[a, spoke], [spoke, b]] {
+            self.wedges.push_back(Wedge { spokes, from, to, wide, busy: 1.0 });
+        }
+        self.wedges.push_back(Wedge { from: end * (1.0 + OFF), ..*wedge });
+        true
     }
 
     /// An arc across a wedge; its middle vertex, and the angle it lies at.
@@ -226,62 +311,4 @@ impl Star {
         self.ages += 1;
         middle
     }
-
-    fn finish(mut self) -> Aged {
-        let (mut net, mut fence, mut age) = (Net::default(), Fence::default(), Vec::new());
-        let mut lines = Vec::new();
-        for i in 0..self.spokes.len() {
-            let (angle, to) = (self.spokes[i].angle, self.spokes[i].to);
-            let mut at = std::mem::take(&mut self.spokes[i].at);
-            at.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            if at.last().is_some_and(|&(far, _)| far < to) {
-                let tip = self.add_point(angle, to);
-                at.push((to, tip));
-            }
-            lines.push((at.into_iter().map(|(_, vertex)| vertex).collect::<Vec<i32>>(), self.spokes[i].age));
-        }
-        lines.extend(self.arcs.iter().map(|(line, age, _)| (line.clone(), *age)));
-        let narrowest = self.narrowest();
-        for (line, born) in lines {
-            for pair in line.windows(2) {
-                net.edges.push([pair[0], pair[1]]);
-                age.push(born);
-            }
-        }
-        net.vertices = self.points;
-        net.cut = vec![false; net.vertices.len()];
-        for &[a, b] in &net.edges {
-            let first = (net.vertices.len() + fence.anchors.len()) as i32;
-            fence.anchors.extend(self::room(
-                net.vertices[a as usize],
-                net.vertices[b as usize],
-                self.how.source,
-                narrowest,
-            ));
-            fence.kites.push([a, b, first, first + 1]);
-        }
-        if let Some(half) = self.half {
-            net.period = half.map(|side| 2.0 * side / OWN);
-            net.shifts = vec![[0, 0]; net.edges.len()];
-            fence.shifts = vec![[0; 6]; net.edges.len()];
-        }
-        let partner = by_age(&net, &age);
-        Aged { net, fence, partner, age }
-    }
-
-    /// The least angle between neighbouring spokes.
-    fn narrowest(&self) -> f64 {
-        self.arcs.iter().map(|(_, _, wide)| *wide).fold(std::f64::consts::PI, f64::min)
-    }
-}
-
-/// A place to the left and one to the right of an edge, nearer than any other edge: neighbours leave its ends at about
-/// a right angle, other spokes are an angle away, other arcs a part of the distance to the source.
-fn room(a: Point, b: Point, source: Point, narrowest: f64) -> [Point; 2] {
-    let (x, y) = (b[0] - a[0], b[1] - a[1]);
-    let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
-    let far = libm::hypot(middle[0] - source[0], middle[1] - source[1]);
-    let most = ROOM * libm::hypot(x, y).min(far * narrowest).min(OFF * far);
-    let part = most / libm::hypot(x, y).max(f64::MIN_POSITIVE);
-    [[middle[0] - part * y, middle[1] + part * x], [middle[0] + part * y, middle[1] - part * x]]
 }

@@ -2,12 +2,14 @@
 
 mod aged;
 mod bow;
+mod course;
 mod fence;
 mod growth;
 mod hooks;
 mod impact;
 mod net;
 mod noise;
+mod pattern;
 mod room;
 mod roughen;
 mod spacing;
@@ -19,12 +21,14 @@ mod walls;
 mod warp;
 mod width;
 
-pub use aged::Aged;
+pub use aged::{Aged, trimmed};
+pub use course::{Course, course};
 pub use fence::{Fence, FenceView};
 pub use growth::arrivals;
-pub use hooks::parted;
+pub use hooks::{part, parted};
 pub use impact::{Impact, impact, spokes};
 pub use net::{Net, NetView};
+pub use pattern::{Looks, Pattern, looks};
 pub use roughen::{Rough, Roughness, roughen};
 pub use spacing::spacing;
 pub use split::{Splitting, split};

@@ -48,6 +48,23 @@ impl Net {
         let cut = vec![false; graph.vertices.len()];
         Self { vertices: graph.vertices, edges: graph.edges, cut, ..Self::default() }
     }
+
+    /// Moves the vertices into [0, width) x [0, height); in the plane, none.
+    pub fn wrap(&mut self) {
+        if self.shifts.is_empty() {
+            return;
+        }
+        let period = self.period;
+        let turn = |p: &Point| [0, 1].map(|i| (p[i] / period[i]).floor() as i8);
+        let turns: Vec<[i8; 2]> = self.vertices.iter().map(turn).collect();
+        for (vertex, turn) in self.vertices.iter_mut().zip(&turns).filter(|(_, turn)| **turn != [0, 0]) {
+            *vertex = [0, 1].map(|i| (vertex[i] - f64::from(turn[i]) * period[i]).clamp(0.0, period[i].next_down()));
+        }
+        for (edge, shift) in self.edges.iter().zip(&mut self.shifts) {
+            let [from, to] = edge.map(|vertex| turns[vertex as usize]);
+            *shift = [0, 1].map(|i| shift[i] + to[i] - from[i]);
+        }
+    }
 }
 
 impl NetView<'_> {
@@ -115,22 +132,15 @@ impl NetView<'_> {
 
     /// The same drawing, its vertices moved into [0, width) x [0, height); in the plane, as it is.
     pub fn wrapped(&self) -> Net {
-        let (vertices, edges, cut) = (self.vertices.to_vec(), self.edges.to_vec(), self.cut.to_vec());
-        let mut net = Net { vertices, edges, shifts: self.shifts.to_vec(), period: self.period, cut };
-        if net.shifts.is_empty() {
-            return net;
-        }
-        let period = self.period;
-        let turn = |p: &Point| [0, 1].map(|i| (p[i] / period[i]).floor() as i8);
-        let turns: Vec<[i8; 2]> = self.vertices.iter().map(turn).collect();
-        for (vertex, turn) in net.vertices.iter_mut().zip(&turns).filter(|(_, turn)| **turn != [0, 0]) {
-            *vertex = [0, 1].map(|i| (vertex[i] - f64::from(turn[i]) * period[i]).clamp(0.0, period[i].next_down()));
-        }
-        for (edge, shift) in self.edges.iter().zip(&mut net.shifts) {
-            let [from, to] = edge.map(|vertex| turns[vertex as usize]);
-            *shift = [0, 1].map(|i| shift[i] + to[i] - from[i]);
-        }
+        let mut net = self.to_net();
+        net.wrap();
         net
+    }
+
+    /// A copy that owns its arrays.
+    pub fn to_net(&self) -> Net {
+        let (vertices, edges, cut) = (self.vertices.to_vec(), self.edges.to_vec(), self.cut.to_vec());
+        Net { vertices, edges, shifts: self.shifts.to_vec(), period: self.period, cut }
     }
 
     /// Number of edge ends at every vertex.

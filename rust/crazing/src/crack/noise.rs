@@ -18,6 +18,15 @@ impl Noise {
         Self { key, edge: edge as u64, level, block: 0, words }
     }
 
+    /// Those of the first places, the same that [`Noise::at`] gives.
+    pub(super) fn fill(key: Key, edge: usize, level: u64, numbers: &mut [f64]) {
+        for (numbers, count) in numbers.chunks_mut(4).zip(0..) {
+            let words = block(key, [edge as u64, count, stream::ROUGHNESS, level]);
+            numbers.iter_mut().zip(words).for_each(|(number, word)| *number = open_unit(word));
+        }
+        quantile::normal_each(numbers);
+    }
+
     pub(super) fn at(&mut self, index: usize) -> f64 {
         if index as u64 / 4 != self.block {
             self.block = index as u64 / 4;

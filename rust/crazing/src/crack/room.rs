@@ -47,9 +47,15 @@ impl Room {
     /// `height` at `x` along the edge, kept within the kite.
     pub(super) fn within(&self, x: f64, height: f64) -> f64 {
         let [along, across] = self.sides[usize::from(height < 0.0)];
-        let left = if along > 0.0 { x / along } else { f64::INFINITY };
-        let right = if along < self.length { (self.length - x) / (self.length - along) } else { f64::INFINITY };
-        let most = ROOM * across * left.min(right).min(1.0);
+        // Of the two sides up to the apex and down from it, the one that `x` is under.
+        let part = if x < along {
+            x / along
+        } else if x > along && along < self.length {
+            (self.length - x) / (self.length - along)
+        } else {
+            1.0
+        };
+        let most = ROOM * across * part.min(1.0);
         height.clamp(-most, most)
     }
 }

@@ -17,8 +17,6 @@ use bridge::{Bridge, wavy};
 const DEEPEST: u32 = 8;
 /// An edge is not subdivided when its kite is thinner than this part of its length: roundings could leave it.
 const THIN: f64 = 1e-6;
-/// Edges whose pieces are put together at a time.
-const TOGETHER: usize = 1 << 12;
 
 /// How cracks wander.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +44,14 @@ pub struct Rough {
     pub origin: Vec<i32>,
 }
 
+/// Where rough edges lie, before they are a drawing of their own.
+pub(super) struct Trace {
+    /// Those of the drawing before, then the inner ones of edge after edge.
+    pub(super) vertices: Vec<Point>,
+    /// Where the pieces of each edge start, and the end; each has one more than inner vertices.
+    pub(super) starts: Vec<usize>,
+}
+
 /// Subdivides edges and moves the new vertices across them, after moving the vertices inside each crack: along the
 /// bow that its turns ask for, and about that at random.
 ///
@@ -66,6 +72,27 @@ pub fn roughen(
     key: Key,
     watch: Watch<'_>,
 ) -> Result<Rough> {
+    let Trace { vertices, starts } = trace(net, partner, fence, how, key, watch)?;
+    watch.poll()?;
+    let mut cut = net.cut.to_vec();
+    cut.resize(vertices.len(), false);
+    let (edges, shifts) = (pieces_of(net, &starts), shifts_of(net, &starts));
+    Ok(Rough {
+        net: Net { vertices, edges, shifts, period: net.period, cut },
+        partner: partners_of(partner, &starts),
+        origin: repeated(&starts, |k| k as i32),
+    })
+}
+
+/// See [`roughen`].
+pub(super) fn trace(
+    net: NetView<'_>,
+    partner: &[i32],
+    fence: FenceView<'_>,
+    how: Roughness,
+    key: Key,
+    watch: Watch<'_>,
+) -> Result<Trace> {
     let Roughness { amplitude, hurst, unit, grain, rounding } = how;
     let given = [("roughness", amplitude), ("hurst", hurst), ("unit", unit), ("grain", grain), ("rounding", rounding)];
     for (name, value) in given {
@@ -76,34 +103,41 @@ pub fn roughen(
     let vertices = wander(net, fence, how, key, watch)?;
     let moved = NetView { vertices: &vertices, ..net };
     watch.poll()?;
-    let depths = parallel::map(net.edges.len(), |k| {
+    let (old, edges) = (vertices.len(), net.edges.len());
+    let depths = parallel::map(edges, |k| {
         halvings(&Room::of(moved, fence, k), &Bow::of(moved, partner, k, rounding), how) as u8
     });
-    let mut starts = Vec::with_capacity(depths.len() + 1);
+    let mut starts = Vec::with_capacity(edges + 1);
     starts.push(0_usize);
     for (k, &depth) in depths.iter().enumerate() {
         starts.push(starts[k] + (1 << depth));
     }
-    let found = starts[net.edges.len()];
+    let found = starts[edges];
     const MOST: usize = (1 << 30) - 1;
     if found > MOST {
         return Err(Error::TooMany { what: "pieces of rough edges; a larger grain is wanted", found, limit: MOST });
     }
     watch.poll()?;
-    let inner = parallel::ranges(net.edges.len(), |range| {
-        let mut places = Vec::with_capacity(starts[range.end] - starts[range.start] - range.len());
-        let next = libm::exp2(-how.hurst);
-        let mut heights = [0.0; (1 << DEEPEST) + 1];
-        for k in range.filter(|&k| depths[k] > 0) {
-            let room = Room::of(moved, fence, k);
-            let heights = &mut heights[..=1 << depths[k]];
-            wavy(heights, how.deviation(room.length), next, key, k);
-            pieces(moved, &room, &Bow::of(moved, partner, k, rounding), heights, k, &mut places);
-        }
-        places
-    });
-    watch.poll()?;
-    Ok(assemble(moved, partner, &starts, &inner))
+    let mut places = vec![[0.0; 2]; old + found - edges];
+    places[..old].copy_from_slice(&vertices);
+    parallel::grouped(
+        edges,
+        |k| starts[k] - k,
+        &mut places[old..],
+        |range, mut places| {
+            let next = libm::exp2(-how.hurst);
+            let mut heights = [0.0; (1 << DEEPEST) + 1];
+            for k in range.filter(|&k| depths[k] > 0) {
+                let own;
+                (own, places) = places.split_at_mut((1 << depths[k]) - 1);
+                let room = Room::of(moved, fence, k);
+                let heights = &mut heights[..=1 << depths[k]];
+                wavy(heights, how.deviation(room.length), next, key, k);
+                place(moved, &room, &Bow::of(moved, partner, k, rounding), heights, k, own);
+            }
+        },
+    );
+    Ok(Trace { vertices: places, starts })
 }
 
 /// Moves the vertices of degree 2 across their crack.
@@ -190,64 +224,93 @@ fn halvings(room: &Room, bow: &Bow, how: Roughness) -> u32 {
     depth
 }
 
-/// Adds the places of the inner vertices of an edge.
-fn pieces(net: NetView<'_>, room: &Room, bow: &Bow, heights: &[f64], edge: usize, places: &mut Vec<Point>) {
+/// Finds the places of the inner vertices of an edge.
+fn place(net: NetView<'_>, room: &Room, bow: &Bow, heights: &[f64], edge: usize, places: &mut [Point]) {
     let count = heights.len() - 1;
     let [a, b] = net.ends(edge);
     let (x, y) = ((b[0] - a[0]) / room.length, (b[1] - a[1]) / room.length);
-    places.extend((1..count).map(|i| {
-        let part = i as f64 / count as f64;
-        let bent = if bow.is_straight() { 0.0 } else { room.length * bow.height(part) };
+    let (is_straight, step) = (bow.is_straight(), 1.0 / count as f64);
+    for (place, i) in places.iter_mut().zip(1..count) {
+        // Exact: there are a power of two.
+        let part = i as f64 * step;
+        let bent = if is_straight { 0.0 } else { room.length * bow.height(part) };
         let height = room.within(part * room.length, bent + heights[i]);
-        [a[0] + part * (b[0] - a[0]) - height * y, a[1] + part * (b[1] - a[1]) + height * x]
-    }));
+        *place = [a[0] + part * (b[0] - a[0]) - height * y, a[1] + part * (b[1] - a[1]) + height * x];
+    }
 }
 
 /// Piece `i` of edge `k` is edge `starts[k] + i`; the inner vertices follow the old ones in the order of the pieces.
-fn assemble(net: NetView<'_>, partner: &[i32], starts: &[usize], inner: &[Vec<Point>]) -> Rough {
-    let (old, edges, count) = (net.vertices.len(), net.edges.len(), starts[net.edges.len()]);
-    let mut rough = Rough {
-        net: Net { edges: vec![[0; 2]; count], period: net.period, ..Net::default() },
-        partner: vec![NONE; 2 * count],
-        origin: vec![0; count],
-    };
+pub(super) fn pieces_of(net: NetView<'_>, starts: &[usize]) -> Vec<[i32; 2]> {
+    let old = net.vertices.len();
+    let mut pieces = vec![[0; 2]; starts[net.edges.len()]];
+    parallel::grouped(
+        net.edges.len(),
+        |k| starts[k],
+        &mut pieces,
+        |range, pieces| {
+            let first = starts[range.start];
+            for k in range {
+                for piece in starts[k]..starts[k + 1] {
+                    // The vertex after the piece; every edge before has one piece more than inner vertices.
+                    let after = (old + piece - k) as i32;
+                    pieces[piece - first] = [after - 1, after];
+                }
+                pieces[starts[k] - first][0] = net.edges[k][0];
+                pieces[starts[k + 1] - 1 - first][1] = net.edges[k][1];
+            }
+        },
+    );
+    pieces
+}
+
+/// The last piece of an edge crosses what the edge crosses.
+pub(super) fn shifts_of(net: NetView<'_>, starts: &[usize]) -> Vec<[i8; 2]> {
+    let mut shifts = vec![[0; 2]; if net.shifts.is_empty() { 0 } else { starts[net.edges.len()] }];
+    net.shifts.iter().zip(&starts[1..]).for_each(|(&shift, &end)| shifts[end - 1] = shift);
+    shifts
+}
+
+/// Pieces of one edge continue each other; its ends go on as before.
+fn partners_of(partner: &[i32], starts: &[usize]) -> Vec<i32> {
     let end_of = |end: i32| match end {
         NONE => NONE,
         _ if end % 2 == 0 => 2 * starts[end as usize / 2] as i32,
         _ => 2 * starts[end as usize / 2 + 1] as i32 - 1,
     };
-    let some = (0..edges).step_by(TOGETHER).map(|from| from..edges.min(from + TOGETHER));
-    let cuts = some.clone().map(|range| starts[range.end] - starts[range.start]);
-    let own = parallel::shared(&mut rough.net.edges, cuts.clone());
-    let partners = parallel::shared(rough.partner.as_chunks_mut::<2>().0, cuts.clone());
-    let origins = parallel::shared(&mut rough.origin, cuts);
-    let parts = some.zip(own).zip(partners).zip(origins).collect();
-    parallel::parts(count, parts, |(((range, own), partners), origins)| {
-        let first = starts[range.start];
-        for k in range {
-            let (start, end) = (starts[k], starts[k + 1]);
-            for piece in start..end {
-                // The vertex after the piece; every edge before has one piece more than inner vertices.
-                let after = (old + piece - k) as i32;
-                let (near, far) = (2 * piece as i32, 2 * piece as i32 + 1);
-                own[piece - first] = [after - 1, after];
-                partners[piece - first] = [near - 1, far + 1];
+    let edges = partner.len() / 2;
+    let mut partners = vec![NONE; 2 * starts[edges]];
+    parallel::grouped(
+        edges,
+        |k| 2 * starts[k],
+        &mut partners,
+        |range, partners| {
+            let first = 2 * starts[range.start];
+            for k in range {
+                let (start, end) = (2 * starts[k], 2 * starts[k + 1]);
+                for near in (start + 1..end - 1).step_by(2) {
+                    partners[near - first] = near as i32 + 1;
+                    partners[near + 1 - first] = near as i32;
+                }
+                partners[start - first] = end_of(partner[2 * k]);
+                partners[end - 1 - first] = end_of(partner[2 * k + 1]);
             }
-            origins[start - first..end - first].fill(k as i32);
-            let (start, last) = (start - first, end - 1 - first);
-            own[start][0] = net.edges[k][0];
-            own[last][1] = net.edges[k][1];
-            partners[start][0] = end_of(partner[2 * k]);
-            partners[last][1] = end_of(partner[2 * k + 1]);
-        }
-    });
-    if !net.shifts.is_empty() {
-        rough.net.shifts = vec![[0; 2]; count];
-        net.shifts.iter().zip(&starts[1..]).for_each(|(&shift, &end)| rough.net.shifts[end - 1] = shift);
-    }
-    let vertices: Vec<&[Point]> = [net.vertices].into_iter().chain(inner.iter().map(Vec::as_slice)).collect();
-    rough.net.vertices = vertices.concat();
-    rough.net.cut = net.cut.to_vec();
-    rough.net.cut.resize(rough.net.vertices.len(), false);
-    rough
+        },
+    );
+    partners
+}
+
+/// `value` of each edge, for each of its pieces.
+pub(super) fn repeated(starts: &[usize], value: impl Fn(usize) -> i32 + Sync + Send) -> Vec<i32> {
+    let edges = starts.len() - 1;
+    let mut values = vec![0; starts[edges]];
+    parallel::grouped(
+        edges,
+        |k| starts[k],
+        &mut values,
+        |range, values| {
+            let first = starts[range.start];
+            range.for_each(|k| values[starts[k] - first..starts[k + 1] - first].fill(value(k)));
+        },
+    );
+    values
 }

@@ -1,6 +1,7 @@
 //! Hierarchical cracks: the largest cell is split, and again, every new crack meeting the older ones at right angles.
 
 mod chord;
+mod founders;
 mod mesh;
 
 use std::cmp::Ordering;
@@ -12,12 +13,13 @@ use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::quantile;
 use crate::rng::{Key, Rng, stream};
-use crate::sample::{self, Density};
+use crate::sample::Density;
 use crate::watch::Watch;
+use founders::Founders;
 use mesh::Mesh;
 
-/// Cells that a torus starts from: it has no first wall that could be split.
-const FOUNDERS: usize = 4;
+/// On a torus the first cells meet themselves: where a wall would join a side to itself another is tried, so often.
+const AGAIN: usize = 32;
 
 /// How cells are split.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,7 +61,12 @@ pub fn split(
         }
     }
     let mut rng = Rng::new(key, stream::SPLIT);
-    let mut mesh = if on_torus { founded(bounds, how, key, watch)? } else { Mesh::of_box(bounds) };
+    let mut mesh = if on_torus {
+        let period = [bounds[2] - bounds[0], bounds[3] - bounds[1]];
+        Mesh::of_founders(&Founders::of([bounds[0], bounds[1]], period, how, &mut rng), period)
+    } else {
+        Mesh::of_box(bounds)
+    };
     let mut queue = BinaryHeap::new();
     let enqueue = |mesh: &Mesh, cell: usize, rng: &mut Rng, queue: &mut BinaryHeap<Next>| {
         let (area, middle) = mesh.measure(cell);
@@ -73,7 +80,8 @@ pub fn split(
     while mesh.cells.len() < how.cells {
         watch.poll_at(mesh.cells.len())?;
         let Some(Next { cell, .. }) = queue.pop() else { break };
-        if let Some(wall) = chord::across(&mesh, cell, how, &mut rng) {
+        let attempts = if on_torus { AGAIN } else { 1 };
+        if let Some(wall) = (0..attempts).find_map(|_| chord::across(&mesh, cell, how, &mut rng)) {
             let other = mesh.divide(cell, &wall);
             enqueue(&mesh, cell, &mut rng, &mut queue);
             enqueue(&mesh, other, &mut rng, &mut queue);
@@ -84,18 +92,6 @@ pub fn split(
 
 fn normal(rng: &mut Rng) -> f64 {
     quantile::normal(crate::rng::open_unit(rng.next_u64()))
-}
-
-/// The first cells of a torus: those of a few points, far from each other.
-fn founded(bounds: Bounds, how: Splitting, key: Key, watch: Watch<'_>) -> Result<Mesh> {
-    let period = [bounds[2] - bounds[0], bounds[3] - bounds[1]];
-    let count = FOUNDERS.min(how.cells.max(1));
-    let points = sample::uniform(count, bounds, [key[0], key[1] ^ stream::SPLIT], watch)?;
-    let points = sample::relax(points, 3, bounds, Some(period), watch)?;
-    let torus = crate::diagram::periodic(&points, period, watch)?;
-    let open = vec![false; torus.shifts.len()];
-    let walls = super::on_torus(torus.diagram.view(), &open, &torus.shifts, &torus.dual_shifts, period)?;
-    Ok(Mesh::of_walls(&walls, torus.diagram.sites.len()))
 }
 
 /// A cell that waits to be split; the largest is first, of equal ones the one with the lowest number.

@@ -31,10 +31,31 @@ pub struct Strands {
     pub run: Vec<u32>,
     /// Whether no other edge ends where each run starts, and where it ends.
     pub alone: Vec<[bool; 2]>,
-    /// Length of each edge.
-    pub spans: Vec<f64>,
     /// Length of each strand.
     pub length: Vec<f64>,
+    /// The run of each edge.
+    pub(super) run_of: Vec<u32>,
+    /// How far along its run each edge is entered.
+    pub(super) before: Vec<f64>,
+    /// Whether each edge is entered by its second end.
+    pub(super) turned: Vec<bool>,
+}
+
+/// Edges made of pieces that follow one another: piece by piece along a strand, without a look at what lies between.
+pub(super) struct Pieces<'a, S> {
+    /// Where the pieces of each edge start, and the end.
+    pub(super) starts: &'a [usize],
+    /// Length of a piece.
+    pub(super) span: S,
+}
+
+impl<S: Fn(usize) -> f64> Pieces<'_, S> {
+    /// `length` grown by every piece of an edge, in the order in which they are met.
+    fn along(&self, entry: u32, length: f64) -> f64 {
+        let range = self.starts[entry as usize / 2]..self.starts[entry as usize / 2 + 1];
+        let longer = |length: f64, piece| length + (self.span)(piece);
+        if entry.is_multiple_of(2) { range.fold(length, longer) } else { range.rev().fold(length, longer) }
+    }
 }
 
 impl Strands {
@@ -52,9 +73,20 @@ impl Strands {
 ///
 /// `age` of every edge, low is old, orders the strands; where there is none the longer is the older.
 pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
+    let starts: Vec<usize> = (0..=net.edges.len()).collect();
+    of_pieces(net, partner, age, &Pieces { starts: &starts, span: |edge| net.length(edge) })
+}
+
+/// The same, lengths summed up piece by piece: the same bits as of a drawing in which every piece is an edge.
+pub(super) fn of_pieces(
+    net: NetView<'_>,
+    partner: &[i32],
+    age: &[i32],
+    pieces: &Pieces<'_, impl Fn(usize) -> f64 + Sync>,
+) -> Strands {
     let mut found = Strands { starts: vec![0], ..Strands::default() };
-    found.spans = parallel::map(net.edges.len(), |edge| net.length(edge));
-    let mut runs = follow(&mut found, partner, age);
+    let lowest = follow(&mut found, partner);
+    let mut runs = measured(&mut found, &lowest, age, pieces);
     found.length = vec![0.0; runs.len()];
     // Oldest first, then longest; equal lengths by their first edge.
     parallel::sort(&mut runs);
@@ -64,7 +96,7 @@ pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
         found.strand[run.number as usize] = strand as u32;
         found.length[strand] = f64::from_bits(!run.shortness);
     }
-    found.of_edge = parallel::map(net.edges.len(), |edge| found.strand[found.of_edge[edge] as usize] as i32);
+    found.of_edge = parallel::map(net.edges.len(), |edge| found.strand[found.run_of[edge] as usize] as i32);
     descend(net, &mut found);
     found
 }
@@ -137,32 +169,61 @@ struct Run {
     number: u32,
 }
 
-/// Finds the runs: those that have ends from there, then rings from their lowest edge. Leaves the run of every edge.
-fn follow(found: &mut Strands, partner: &[i32], age: &[i32]) -> Vec<Run> {
-    let edges = found.spans.len();
-    found.of_edge = vec![NONE; edges];
+/// No run has the edge yet.
+const NOBODY: u32 = u32::MAX;
+
+/// Finds the runs: those that have ends from there, then rings from their lowest edge. Gives the lowest edge of each.
+fn follow(found: &mut Strands, partner: &[i32]) -> Vec<u32> {
+    let edges = partner.len() / 2;
+    found.run_of = vec![NOBODY; edges];
+    found.turned = vec![false; edges];
     found.entries.reserve(edges);
     let ends = 0..2 * edges as u32;
     let tips = ends.clone().filter(|&end| partner[end as usize] == NONE);
-    let mut runs = Vec::new();
+    let mut all = Vec::new();
     for tip in tips.chain(ends) {
-        if found.of_edge[tip as usize / 2] != NONE {
+        if found.run_of[tip as usize / 2] != NOBODY {
             continue;
         }
-        let (mut length, mut lowest, mut entry) = (0.0, tip / 2, tip as i32);
-        while entry != NONE && found.of_edge[entry as usize / 2] == NONE {
+        let (mut lowest, mut entry) = (tip / 2, tip as i32);
+        while entry != NONE && found.run_of[entry as usize / 2] == NOBODY {
             let edge = entry as u32 / 2;
-            found.of_edge[edge as usize] = runs.len() as i32;
+            found.run_of[edge as usize] = all.len() as u32;
+            found.turned[edge as usize] = entry % 2 == 1;
             found.entries.push(entry as u32);
             lowest = lowest.min(edge);
-            length += found.spans[edge as usize];
             entry = partner[(entry ^ 1) as usize];
         }
-        let age = age.get(lowest as usize).copied().unwrap_or(0);
-        runs.push(Run { age, shortness: !length.to_bits(), lowest, number: runs.len() as u32 });
+        all.push(lowest);
         found.starts.push(found.entries.len());
     }
-    runs
+    all
+}
+
+/// Finds how far along its run each edge is entered, and what the runs are put in order by.
+fn measured(
+    found: &mut Strands,
+    lowest: &[u32],
+    age: &[i32],
+    pieces: &Pieces<'_, impl Fn(usize) -> f64 + Sync>,
+) -> Vec<Run> {
+    let parts = parallel::ranges(lowest.len(), |range| {
+        let mut before = Vec::with_capacity(found.starts[range.end] - found.starts[range.start]);
+        let run = |number: usize| {
+            let length = found.entries_of(number).iter().fold(0.0, |length, &entry| {
+                before.push(length);
+                pieces.along(entry, length)
+            });
+            let (lowest, number) = (lowest[number], number as u32);
+            let age = age.get(lowest as usize).copied().unwrap_or(0);
+            Run { age, shortness: !length.to_bits(), lowest, number }
+        };
+        (range.map(run).collect::<Vec<_>>(), before)
+    });
+    found.before = vec![0.0; found.run_of.len()];
+    let all = parts.iter().flat_map(|(_, before)| before);
+    all.zip(&found.entries).for_each(|(&before, &entry)| found.before[entry as usize / 2] = before);
+    parts.into_iter().flat_map(|(runs, _)| runs).collect()
 }
 
 /// Finds who abuts whom, and so the generations.

@@ -6,9 +6,10 @@
 mod bed;
 
 use super::fence::{Fence, FenceView};
-use super::net::{Net, NetView};
+use super::net::{NONE, Net, NetView};
 use crate::error::{Error, Result};
 use crate::graph::Point;
+use crate::parallel;
 use crate::quantile;
 use crate::rng::{Key, block, open_unit, stream};
 use crate::watch::Watch;
@@ -20,6 +21,8 @@ const ROOM: f64 = 0.85;
 const MARGIN: f64 = 0.04;
 /// Most stubs that are tried on one edge.
 const MOST: u64 = 64;
+/// Edges that stubs are tried on at a time.
+const TOGETHER: usize = 1 << 17;
 
 /// How many stubs there are, and how long.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,6 +50,21 @@ pub struct Grown {
     pub origin: Vec<i32>,
 }
 
+impl Grown {
+    /// The age of every edge, where those before had one: stubs are the youngest, the later the younger.
+    pub fn ages(&self, before: &[i32]) -> Vec<i32> {
+        let Some(mut youngest) = before.iter().copied().max() else { return Vec::new() };
+        let age = |&origin: &i32| {
+            if origin != NONE {
+                return before[origin as usize];
+            }
+            youngest += 1;
+            youngest
+        };
+        self.origin.iter().map(age).collect()
+    }
+}
+
 /// Grows stubs off the edges of a drawing; `partner` is what [`super::pairs`] gives.
 ///
 /// Along every edge stubs are a Poisson process. One that finds no room on its side grows on the other, or is left
@@ -66,6 +84,19 @@ pub fn stubs(
     key: Key,
     watch: Watch<'_>,
 ) -> Result<Grown> {
+    grown(net.to_net(), partner.to_vec(), fence.to_fence(), bounds, how, key, watch)
+}
+
+/// The same in a drawing of its own.
+pub(super) fn grown(
+    net: Net,
+    partner: Vec<i32>,
+    fence: Fence,
+    bounds: [f64; 4],
+    how: Stubs,
+    key: Key,
+    watch: Watch<'_>,
+) -> Result<Grown> {
     let values = [("rate", how.rate), ("length", how.length), ("spread", how.spread), ("lean", how.lean)];
     for (name, value) in values {
         if !(value.is_finite() && value >= 0.0) {
@@ -74,9 +105,22 @@ pub fn stubs(
     }
     let mut bed = Bed::of(net, partner, fence, bounds);
     if how.rate > 0.0 && how.length > 0.0 {
-        for edge in 0..net.edges.len() {
-            watch.poll_at(edge)?;
-            plant(&mut bed, edge, net.length(edge), how, key);
+        let edges = bed.net.edges.len();
+        for from in (0..edges).step_by(TOGETHER) {
+            watch.poll()?;
+            // What is tried does not depend on what grew before, and most tries are too long for their edge.
+            let tries = parallel::ranges(TOGETHER.min(edges - from), |range| {
+                let mut tries = Vec::new();
+                range.for_each(|i| sow(from + i, bed.net.view().length(from + i), how, key, &mut tries));
+                tries
+            });
+            let mut place = (usize::MAX, 0, 0.0);
+            for (edge, seed) in tries.iter().flatten() {
+                if place.0 != *edge {
+                    place = (*edge, *edge, 0.0);
+                }
+                plant(&mut bed, &mut place, seed);
+            }
         }
     }
     Ok(bed.finish())
@@ -90,35 +134,36 @@ struct Seed {
     lean: f64,
 }
 
-/// Stubs along one edge, from its first end on.
-fn plant(bed: &mut Bed, edge: usize, length: f64, how: Stubs, key: Key) {
-    let (mut piece, mut start, mut along) = (edge, 0.0, 0.0);
+/// Adds what is tried along one edge, from its first end on.
+fn sow(edge: usize, length: f64, how: Stubs, key: Key, tries: &mut Vec<(usize, Seed)>) {
+    let mut along = 0.0;
     for count in 0..MOST {
         let [gap, side, size, lean] = block(key, [edge as u64, count, stream::STUBS, 0]);
         along -= libm::log(open_unit(gap)) / how.rate;
         if along.is_nan() || along >= length {
             return;
         }
-        let seed = Seed {
-            along: along - start,
-            side: (side >> 63) as usize,
-            length: how.length * libm::exp(how.spread * quantile::normal(open_unit(size))),
-            lean: how.lean * quantile::normal(open_unit(lean)),
-        };
-        if seed.length > length {
-            continue;
-        }
-        if let Some((side, foot, tip)) =
-            [seed.side, 1 - seed.side].iter().find_map(|&side| fit(bed, piece, side, &seed))
-        {
-            piece = bed.grow(piece, side, foot, tip);
-            start = along;
+        let size = how.length * libm::exp(how.spread * quantile::normal(open_unit(size)));
+        if size <= length || size.is_nan() {
+            let lean = how.lean * quantile::normal(open_unit(lean));
+            tries.push((edge, Seed { along, side: (side >> 63) as usize, length: size, lean }));
         }
     }
 }
 
+/// Grows a stub if there is room; `place` is the edge, its last piece, and where that starts.
+fn plant(bed: &mut Bed, place: &mut (usize, usize, f64), seed: &Seed) {
+    let (_, piece, start) = *place;
+    let along = seed.along - start;
+    let grown = [seed.side, 1 - seed.side].iter().find_map(|&side| fit(bed, piece, side, along, seed));
+    if let Some((side, foot, tip)) = grown {
+        place.1 = bed.grow(piece, side, foot, tip);
+        place.2 = seed.along;
+    }
+}
+
 /// Foot and tip of a stub on one side of a piece, if there is room.
-fn fit(bed: &Bed, piece: usize, side: usize, seed: &Seed) -> Option<(usize, Point, Point)> {
+fn fit(bed: &Bed, piece: usize, side: usize, at: f64, seed: &Seed) -> Option<(usize, Point, Point)> {
     let kite = bed.kite_of[piece];
     let [_, _, left, right] = bed.kites[kite];
     if [left, right][side] < 0 {
@@ -128,11 +173,11 @@ fn fit(bed: &Bed, piece: usize, side: usize, seed: &Seed) -> Option<(usize, Poin
     let (x, y) = (b[0] - a[0], b[1] - a[1]);
     let length = libm::hypot(x, y);
     let (margin, sign) = (MARGIN * length, if side == 0 { 1.0 } else { -1.0 });
-    if !(seed.along > margin && seed.along < length - margin) {
+    if !(at > margin && at < length - margin) {
         return None;
     }
     let (along, across) = apex(bed, kite, side, [a, b], length);
-    let u = seed.along + seed.length * libm::sin(seed.lean);
+    let u = at + seed.length * libm::sin(seed.lean);
     let v = seed.length * libm::cos(seed.lean);
     let rising = if along > 0.0 { u / along } else { f64::INFINITY };
     let falling = if along < length { (length - u) / (length - along) } else { f64::INFINITY };
@@ -140,7 +185,7 @@ fn fit(bed: &Bed, piece: usize, side: usize, seed: &Seed) -> Option<(usize, Poin
         return None;
     }
     let (x, y) = (x / length, y / length);
-    let foot = [a[0] + seed.along * x, a[1] + seed.along * y];
+    let foot = [a[0] + at * x, a[1] + at * y];
     let tip = [a[0] + u * x - sign * v * y, a[1] + u * y + sign * v * x];
     let [xmin, ymin, xmax, ymax] = bed.bounds;
     let inside = (xmin..=xmax).contains(&tip[0]) && (ymin..=ymax).contains(&tip[1]);

@@ -6,6 +6,7 @@ use crate::clip::{self, Bounds};
 use crate::diagram::DiagramView;
 use crate::error::{Error, Result};
 use crate::graph::Point;
+use crate::parallel;
 use crate::sets::DisjointSets;
 
 /// A drawing and its fence: the site on either side of every wall, of open doors too.
@@ -105,7 +106,7 @@ impl Doors {
         open: &[bool],
         places: &[Point],
         uncut: usize,
-        kite_shifts: impl Fn(usize, [i32; 2]) -> [i8; 6],
+        kite_shifts: impl Fn(usize, [i32; 2]) -> [i8; 6] + Sync,
     ) -> Walls {
         let Self { ends, rows, shifts } = self;
         let (wall, door): (Vec<usize>, Vec<usize>) = (0..rows.len()).partition(|&i| !open[rows[i] as usize]);
@@ -113,7 +114,7 @@ impl Doors {
         count(&mut number, &mut order, wall.iter().map(|&i| ends[i]));
         let drawn = order.len();
         count(&mut number, &mut order, door.iter().map(|&i| ends[i]));
-        let vertices: Vec<Point> = order[..drawn].iter().map(|&old| places[old]).collect();
+        let vertices: Vec<Point> = parallel::map(drawn, |i| places[order[i]]);
         let mut anchors: Vec<Point> = order[drawn..].iter().map(|&old| places[old]).collect();
         let sites = (order.len()) as i32;
         anchors.extend_from_slice(view.sites);
@@ -122,19 +123,19 @@ impl Doors {
             let ([a, b], [left, right]) = (numbered(i), view.edges[rows[i] as usize]);
             [a, b, sites + left, sites + right]
         };
-        let both = || wall.iter().chain(&door);
+        let both = |i: usize| wall.get(i).unwrap_or_else(|| &door[i - wall.len()]);
         let fence = Fence {
             anchors,
-            kites: both().map(kite).collect(),
+            kites: parallel::map(rows.len(), |i| kite(both(i))),
             shifts: if shifts.is_empty() {
                 Vec::new()
             } else {
-                both().map(|&i| kite_shifts(rows[i] as usize, ends[i])).collect()
+                parallel::map(rows.len(), |i| kite_shifts(rows[*both(i)] as usize, ends[*both(i)]))
             },
         };
         let net = Net {
             vertices,
-            edges: wall.iter().map(|&i| numbered(i)).collect(),
+            edges: parallel::map(wall.len(), |i| numbered(wall[i])),
             shifts: if shifts.is_empty() { Vec::new() } else { wall.iter().map(|&i| shifts[i]).collect() },
             period: [0.0; 2],
             cut: order[..drawn].iter().map(|&old| old >= uncut).collect(),

@@ -55,56 +55,70 @@ impl Default for Profile {
 /// # Errors
 /// [`Error::BadValue`].
 pub fn widths(net: NetView<'_>, strands: &Strands, profile: Profile, key: Key) -> Result<Vec<[f64; 2]>> {
-    check(&profile)?;
-    let longest = strands.length.iter().fold(f64::MIN_POSITIVE, |longest, &length| longest.max(length));
-    let found = parallel::ranges(strands.run.len(), |range| {
-        let mut found = Vec::with_capacity(strands.starts[range.end] - strands.starts[range.start]);
-        range.for_each(|run| along(net, strands, &profile, key, longest, run, &mut found));
-        found
-    });
-    let mut widths = vec![[0.0; 2]; net.edges.len()];
-    let mut entries = strands.entries.iter();
-    for some in &found {
-        for (&[before, after], &entry) in some.iter().zip(entries.by_ref()) {
-            widths[entry as usize / 2] = if entry.is_multiple_of(2) { [before, after] } else { [after, before] };
-        }
-    }
+    let starts: Vec<usize> = (0..=net.edges.len()).collect();
+    let mut widths = spans(net);
+    widen(net, net, &starts, strands, &profile, key, &mut widths)?;
     Ok(widths)
 }
 
-/// Adds the widths before and after each edge of a run, in the order of its entries.
-fn along(
+/// Length of each edge, where the first of its widths is to be.
+pub(super) fn spans(net: NetView<'_>) -> Vec<[f64; 2]> {
+    parallel::map(net.edges.len(), |edge| [net.length(edge), 0.0])
+}
+
+/// Writes widths over the lengths of pieces: `whole` has the edges that `starts` says the pieces of, `net` the pieces.
+///
+/// Edge by edge in the order of memory: how far along its strand an edge is entered is known.
+pub(super) fn widen(
     net: NetView<'_>,
+    whole: NetView<'_>,
+    starts: &[usize],
     strands: &Strands,
     profile: &Profile,
     key: Key,
-    longest: f64,
-    run: usize,
-    found: &mut Vec<[f64; 2]>,
+    widths: &mut [[f64; 2]],
+) -> Result<()> {
+    check(profile)?;
+    let longest = strands.length.iter().fold(f64::MIN_POSITIVE, |longest, &length| longest.max(length));
+    let shapes = parallel::map(strands.run.len(), |run| Shape::of(whole, strands, profile, key, longest, run));
+    parallel::grouped(
+        whole.edges.len(),
+        |edge| starts[edge],
+        widths,
+        |edges, widths| {
+            let mut rest = widths;
+            for edge in edges {
+                let own;
+                (own, rest) = rest.split_at_mut(starts[edge + 1] - starts[edge]);
+                let run = strands.run_of[edge] as usize;
+                let uneven = Uneven::of(profile, key, strands.strand[run] as usize);
+                let at = |end: u32| faded(net, profile, end);
+                along(&shapes[run], uneven, strands, edge, starts[edge], at, own);
+            }
+        },
+    );
+    Ok(())
+}
+
+/// Writes the widths of the pieces of an edge over their lengths.
+fn along(
+    shape: &Shape,
+    mut uneven: Uneven,
+    strands: &Strands,
+    edge: usize,
+    start: usize,
+    left: impl Fn(u32) -> f64,
+    pieces: &mut [[f64; 2]],
 ) {
-    let (strand, entries) = (strands.strand[run] as usize, strands.entries_of(run));
-    let length = strands.length[strand];
-    let (Some(&first), Some(&last)) = (entries.first(), entries.last()) else { return };
-    let [here, there] = strands.alone[run];
-    let tip = |end: u32, alone: bool| Tip::of(alone, !net.cut[net.vertex(end)]);
-    let generation = strands.generation[first as usize / 2];
-    let full = profile.width
-        * libm::pow(length / longest, profile.hierarchy)
-        * libm::pow(profile.shrink, f64::from(generation));
-    let shape = Shape {
-        full: full * factor(profile.unevenness, key, strand, 0),
-        length,
-        reach: profile.taper * length,
-        tips: [tip(first, here), tip(last ^ 1, there)],
-        abutting: profile.abutting,
-    };
-    let mut uneven = Uneven::of(profile, key, strand);
-    let mut at = |run: f64, end: u32| shape.at(run) * uneven.at(run) * faded(net, profile, end);
-    let (mut run, mut before) = (0.0, at(0.0, first));
-    for &entry in entries {
-        run += strands.spans[entry as usize / 2];
-        let after = at(run, entry ^ 1);
-        found.push([before, after]);
+    let (turned, mut run) = (strands.turned[edge], strands.before[edge]);
+    let mut at = |run: f64, end: usize| shape.at(run) * uneven.at(run) * left(end as u32);
+    let entry = if turned { 2 * (start + pieces.len()) - 1 } else { 2 * start };
+    let mut before = at(run, entry);
+    for i in 0..pieces.len() {
+        let i = if turned { pieces.len() - 1 - i } else { i };
+        run += pieces[i][0];
+        let after = at(run, 2 * (start + i) + usize::from(!turned));
+        pieces[i] = if turned { [after, before] } else { [before, after] };
         before = after;
     }
 }
@@ -140,7 +154,8 @@ struct Uneven {
     unit: f64,
     key: Key,
     strand: usize,
-    knot: u64,
+    /// Once one was passed.
+    knot: Option<u64>,
     /// The factors at the knot and the next.
     ends: [f64; 2],
 }
@@ -148,22 +163,25 @@ struct Uneven {
 impl Uneven {
     fn of(profile: &Profile, key: Key, strand: usize) -> Self {
         let spread = if profile.unit > 0.0 { 0.5 * profile.unevenness } else { 0.0 };
-        let ends = [1, 2].map(|knot| factor(spread, key, strand, knot));
-        Self { spread, unit: profile.unit, key, strand, knot: 0, ends }
+        Self { spread, unit: profile.unit, key, strand, knot: None, ends: [1.0; 2] }
     }
 
     fn at(&mut self, run: f64) -> f64 {
         if self.spread == 0.0 {
             return 1.0;
         }
-        let whole = (run / self.unit).floor();
+        let part = run / self.unit;
+        let whole = part.floor();
         let knot = whole as u64;
-        if knot != self.knot {
+        if self.knot != Some(knot) {
             let at = |next: u64| factor(self.spread, self.key, self.strand, knot.saturating_add(next));
-            self.ends = [if self.knot.checked_add(1) == Some(knot) { self.ends[1] } else { at(1) }, at(2)];
-            self.knot = knot;
+            self.ends = match self.knot {
+                Some(last) if last.checked_add(1) == Some(knot) => [self.ends[1], at(2)],
+                _ => [at(1), at(2)],
+            };
+            self.knot = Some(knot);
         }
-        self.ends[0] + (run / self.unit - whole) * (self.ends[1] - self.ends[0])
+        self.ends[0] + (part - whole) * (self.ends[1] - self.ends[0])
     }
 }
 
@@ -210,6 +228,25 @@ struct Shape {
 }
 
 impl Shape {
+    fn of(net: NetView<'_>, strands: &Strands, profile: &Profile, key: Key, longest: f64, run: usize) -> Self {
+        let (strand, entries) = (strands.strand[run] as usize, strands.entries_of(run));
+        let length = strands.length[strand];
+        let [first, last] = [entries[0], entries[entries.len() - 1]];
+        let [here, there] = strands.alone[run];
+        let tip = |end: u32, alone: bool| Tip::of(alone, !net.cut[net.vertex(end)]);
+        let generation = strands.generation[first as usize / 2];
+        // Any power of 1 is 1.
+        let shrunk = if profile.shrink == 1.0 { 1.0 } else { libm::pow(profile.shrink, f64::from(generation)) };
+        let full = profile.width * libm::pow(length / longest, profile.hierarchy) * shrunk;
+        Self {
+            full: full * factor(profile.unevenness, key, strand, 0),
+            length,
+            reach: profile.taper * length,
+            tips: [tip(first, here), tip(last ^ 1, there)],
+            abutting: profile.abutting,
+        }
+    }
+
     fn at(&self, run: f64) -> f64 {
         let from = [run, (self.length - run).max(0.0)];
         self.full * self.factor(self.tips[0], from[0]).min(self.factor(self.tips[1], from[1]))

@@ -27,7 +27,7 @@ pub use periodic::{PeriodicDiagram, periodic};
 pub use sweep::check_apart;
 pub use tile::tile;
 pub use vertices::representatives;
-pub(crate) use vertices::shared;
+pub(crate) use vertices::{COINCIDENT, lowest_of, shares};
 
 use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};
@@ -95,7 +95,15 @@ impl DiagramView<'_> {
         length("dual_edges", self.dual_edges.len(), self.edges.len())?;
         check_indices("triangles", self.triangles, 0, self.sites.len())?;
         check_indices("edges", self.edges, 0, self.sites.len())?;
-        check_indices("dual_edges", self.dual_edges, -1, self.triangles.len())
+        self.check_duals()
+    }
+
+    /// Checks that dual edges join vertices.
+    ///
+    /// # Errors
+    /// [`Error::BadIndex`] with the first that does not.
+    pub fn check_duals(&self) -> Result<()> {
+        check_indices("dual_edges", self.dual_edges, -1, self.vertices.len())
     }
 
     /// Checks that there is a triangle, which curves and skeletons need.

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use crate::graph::Point;
+use crate::parallel;
 
 /// Coordinates smaller than this part of the largest one count as zero: what the triangulation can hold.
 const RESOLUTION: f64 = 1.0 / ((1_u64 << 63) as f64 * (1_u64 << 63) as f64); // 2^-126
@@ -46,11 +47,17 @@ impl Scale {
 
 /// Size of the largest coordinate.
 pub fn largest(points: &[Point]) -> f64 {
+    parallel::ranges(points.len(), |range| largest_of(&points[range])).into_iter().fold(0.0, f64::max)
+}
+
+fn largest_of(points: &[Point]) -> f64 {
     // Eight at a time: one running maximum would wait for itself.
     let (eights, rest) = points.as_flattened().as_chunks::<8>();
     let larger = |found: f64, x: &f64| if x.abs() > found { x.abs() } else { found };
-    let lanes =
-        eights.iter().fold([0.0; 8], |found: [f64; 8], eight| std::array::from_fn(|i| larger(found[i], &eight[i])));
+    let mut lanes = [0.0; 8];
+    for eight in eights {
+        lanes.iter_mut().zip(eight).for_each(|(found, x)| *found = larger(*found, x));
+    }
     lanes.iter().chain(rest).fold(0.0, larger)
 }
 

@@ -8,7 +8,7 @@ use crate::predicates::circumcentre;
 use crate::sets::DisjointSets;
 
 /// Neighbouring circumcentres no farther apart than this part of the circumradius are one Voronoi vertex.
-const COINCIDENT: f64 = 1e-9;
+pub(crate) const COINCIDENT: f64 = 1e-9;
 
 /// One vertex a triangle. Coincident neighbours all get the position of the lowest triangle among them, so that a
 /// dual edge has no length exactly when its two ends are equal.
@@ -47,16 +47,30 @@ pub(super) fn coincide(a: Point, b: Point, site: Point) -> bool {
 
 /// For every triangle the lowest one that shares its Voronoi vertex.
 pub fn representatives(view: DiagramView<'_>) -> Vec<i32> {
-    shared(view).unwrap_or_else(|| (0..view.triangles.len() as i32).collect())
+    let pair = |k: usize| shares(view, k).then(|| view.dual_edges[k]);
+    lowest_of(view.vertices.len(), &parallel::compact(view.dual_edges.len(), pair))
 }
 
-/// The same, or None where no two triangles share a vertex.
-pub(crate) fn shared(view: DiagramView<'_>) -> Option<Vec<i32>> {
-    let one = |[a, b]: [i32; 2]| a != -1 && b != -1 && view.vertices[a as usize] == view.vertices[b as usize];
-    let first = parallel::first(view.dual_edges.len(), |k| one(view.dual_edges[k]))?;
-    let mut sets = DisjointSets::new(view.triangles.len());
-    for &[right, left] in view.dual_edges[first..].iter().filter(|&&dual| one(dual)) {
+/// The same of so many triangles, where all pairs of neighbours that share a vertex are known.
+pub(crate) fn lowest_of(triangles: usize, pairs: &[[i32; 2]]) -> Vec<i32> {
+    let mut lowest = parallel::map(triangles, |triangle| triangle as i32);
+    if pairs.is_empty() {
+        return lowest;
+    }
+    let mut sets = DisjointSets::new(triangles);
+    for &[right, left] in pairs {
         sets.unite(right as usize, left as usize);
     }
-    Some((0..view.triangles.len()).map(|triangle| sets.lowest(triangle) as i32).collect())
+    // Mostly these are few.
+    for &triangle in pairs.as_flattened() {
+        lowest[triangle as usize] = sets.lowest(triangle as usize) as i32;
+    }
+    lowest
+}
+
+/// Whether the triangles on both sides of an edge share their Voronoi vertex.
+#[inline]
+pub(crate) fn shares(view: DiagramView<'_>, k: usize) -> bool {
+    let [right, left] = view.dual_edges[k];
+    right != -1 && left != -1 && view.vertices[right as usize] == view.vertices[left as usize]
 }

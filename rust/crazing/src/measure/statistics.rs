@@ -61,6 +61,8 @@ pub fn statistics(drawing: &Drawing<'_>, area: f64, gauge: Gauge, watch: Watch<'
     found.extend(picture.segments(&between));
     found.extend(picture.shape(mean(&lengths(&network, &between)))?);
     found.extend(picture.widths(area));
+    // The sum of nothing is -0.
+    found.iter_mut().for_each(|(_, value)| *value += 0.0);
     Ok(found)
 }
 

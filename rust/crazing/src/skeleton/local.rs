@@ -29,6 +29,8 @@ const CUTS: usize = 64;
 const NEAR: usize = 24;
 const LONG: usize = 128;
 const LONGEST: usize = 2048;
+/// Edges whose sites are waited for at once.
+const TOGETHER: usize = 256;
 /// Searches that are not worth sorting for.
 const FEW: usize = 100;
 
@@ -62,7 +64,7 @@ pub fn two_pass(view: DiagramView<'_>) -> Result<Vec<bool>> {
 pub fn two_pass_among(view: DiagramView<'_>, one_step: &[bool]) -> Result<Vec<bool>> {
     check(view, one_step)?;
     let cells = Cells::of(view);
-    Ok(decide(&cells, one_step.len(), |k| if one_step[k] { Edge::crust(&cells, k) } else { None }))
+    Ok(decide(&cells, |k| one_step[k], |k| Edge::crust(&cells, k)))
 }
 
 /// The axis of [`edge_filter`] where the one-step crust is known.
@@ -72,7 +74,7 @@ pub fn two_pass_among(view: DiagramView<'_>, one_step: &[bool]) -> Result<Vec<bo
 pub fn filtered_among(view: DiagramView<'_>, one_step: &[bool]) -> Result<Vec<bool>> {
     check(view, one_step)?;
     let cells = Cells::of(view);
-    Ok(decide(&cells, one_step.len(), |k| if one_step[k] { None } else { Edge::axis(&cells, k) }))
+    Ok(decide(&cells, |k| !one_step[k], |k| Edge::axis(&cells, k)))
 }
 
 fn check(view: DiagramView<'_>, one_step: &[bool]) -> Result<()> {
@@ -105,7 +107,7 @@ pub fn edge_filter_among(view: DiagramView<'_>, one_step: &[bool]) -> Result<Loc
     check(view, one_step)?;
     let cells = Cells::of(view);
     let edge = |k: usize| if one_step[k] { Edge::crust(&cells, k) } else { Edge::axis(&cells, k) };
-    let kept = decide(&cells, one_step.len(), edge);
+    let kept = decide(&cells, |_| true, edge);
     let (crust, axis) = kept.iter().zip(one_step).map(|(&kept, &one)| (kept & one, kept & !one)).unzip();
     Ok(Local { crust, axis })
 }
@@ -214,12 +216,31 @@ impl Edge {
     }
 }
 
-/// Whether the pencil of each row, where it has an edge, leaves a circle: by walks, by longer ones as long as these are
-/// few, and by search.
-fn decide(cells: &Cells<'_>, rows: usize, edge: impl Fn(usize) -> Option<Edge> + Sync) -> Vec<bool> {
-    let first = parallel::map(rows, |k| edge(k).map_or(Some(false), |edge| edge.decide(cells)));
-    let mut hard: Vec<usize> = (0..rows).filter(|&k| first[k].is_none()).collect();
-    let mut decided: Vec<bool> = first.into_iter().map(|kept| kept == Some(true)).collect();
+/// Whether the pencil of each row that is asked about, where it has an edge, leaves a circle: by walks, by longer ones
+/// as long as these are few, and by search.
+fn decide(
+    cells: &Cells<'_>,
+    asked: impl Fn(usize) -> bool + Sync + Send,
+    edge: impl Fn(usize) -> Option<Edge> + Sync + Send,
+) -> Vec<bool> {
+    let rows = cells.view.edges.len();
+    let mut decided = vec![false; rows];
+    let hard = parallel::fill(&mut decided, |rows, decided| {
+        let mut hard = Vec::new();
+        for (i, decided) in decided.chunks_mut(TOGETHER).enumerate() {
+            let first = rows.start + i * TOGETHER;
+            let asked = (first..first + decided.len()).filter(|&k| asked(k));
+            touch(cells, asked.clone());
+            for k in asked {
+                match edge(k).map_or(Some(false), |edge| edge.decide(cells)) {
+                    Some(kept) => decided[k - first] = kept,
+                    None => hard.push(k),
+                }
+            }
+        }
+        hard
+    });
+    let mut hard = hard.concat();
     let again = |hard: &mut Vec<usize>, decided: &mut [bool], answer: &(dyn Fn(&Edge) -> Option<bool> + Sync)| {
         let answers = parallel::map_slow(hard.len(), |i| edge(hard[i]).and_then(|edge| answer(&edge)));
         hard.iter().zip(&answers).for_each(|(&k, &kept)| decided[k] = kept == Some(true));
@@ -239,6 +260,13 @@ fn decide(cells: &Cells<'_>, rows: usize, edge: impl Fn(usize) -> Option<Edge> +
         });
     }
     decided
+}
+
+/// Reads the sites of some edges, and nothing else: many reads are then under way at once, and what comes after waits
+/// for none of them. Sites lie in memory in any order, all else as edges do.
+fn touch(cells: &Cells<'_>, rows: impl Iterator<Item = usize>) {
+    let ends = rows.flat_map(|k| cells.view.edges[k]).filter_map(|site| cells.sites.get(site as usize));
+    std::hint::black_box(ends.map(|p| p[0].to_bits()).fold(0, std::ops::BitXor::bitxor));
 }
 
 /// Cuts a pencil by the points that `find` finds in its circles until one is empty or none is left. `find` gives None

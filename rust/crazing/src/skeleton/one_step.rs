@@ -1,11 +1,13 @@
 //! The one-step crust: every edge is crust, or its dual is anti-crust.
 
-use crate::diagram::DiagramView;
+use std::ops::Range;
+
 use crate::diagram::scale::{Scale, largest};
+use crate::diagram::{COINCIDENT, DiagramView};
 use crate::error::Result;
 use crate::graph::Point;
 use crate::parallel;
-use crate::predicates::{apex_sign, one_step_sign, one_step_value};
+use crate::predicates::{apex_sign, one_step_sign};
 
 /// Whether each edge is crust: some circle through its ends contains neither end of its dual.
 ///
@@ -19,60 +21,115 @@ use crate::predicates::{apex_sign, one_step_sign, one_step_value};
 /// Gold, Snoeyink: A One-Step Crust and Skeleton Extraction Algorithm (2001); thesis, section 5.3.
 pub fn one_step(view: DiagramView<'_>) -> Result<Vec<bool>> {
     view.check_triangle()?;
-    let scale = Scale::of(largest(view.sites));
+    let largest = largest(view.sites);
+    let scale = Scale::of(largest);
     let sites = scale.all_down(view.sites);
+    let slack = Slack::of(view, largest);
     let mut mask = vec![false; view.edges.len()];
     parallel::fill(&mut mask, |rows, mask| {
-        let mut quads = Quads::new();
+        let mut corners = Corners::new();
         for (i, mask) in mask.chunks_mut(TOGETHER).enumerate() {
-            quads.decide(view, &sites, rows.start + i * TOGETHER, mask);
+            let first = rows.start + i * TOGETHER;
+            corners.gather(view, first..first + mask.len());
+            corners.sign(slack);
+            for (i, (kept, &sign)) in mask.iter_mut().zip(&corners.signs).enumerate() {
+                *kept = if sign == 0 { is_crust(view, &sites, first + i) } else { sign < 0 };
+            }
         }
     });
     Ok(mask)
 }
 
 /// Edges looked at together: the sites of all of them are waited for at once, and then several signs are found at a
-/// time.
-const TOGETHER: usize = 128;
+/// time. As many as a byte can number.
+const TOGETHER: usize = 256;
 
-/// Both ends of some edges and the two corners opposite, one coordinate a row.
-struct Quads([[[f64; TOGETHER]; 2]; 4]);
+/// One end of some edges and both ends of their duals, one coordinate a row.
+///
+/// All circles through both ends of an edge have their centres on its dual or beyond, and the ends of the dual exclude
+/// each other exactly when an end of the edge sees the dual under an acute angle. So one site and two vertices are
+/// enough, and vertices lie in memory as edges do; sites may be in any order.
+struct Corners {
+    sites: [[f64; TOGETHER]; 2],
+    rights: [[f64; TOGETHER]; 2],
+    lefts: [[f64; TOGETHER]; 2],
+    /// Of the angle at each site: -1 when it is certainly obtuse, 1 when it is certainly acute, else 0.
+    signs: [i8; TOGETHER],
+}
 
-impl Quads {
+impl Corners {
     fn new() -> Self {
-        Self([[[0.0; TOGETHER]; 2]; 4])
+        let nowhere = [[0.0; TOGETHER]; 2];
+        Self { sites: nowhere, rights: nowhere, lefts: nowhere, signs: [0; TOGETHER] }
     }
 
-    /// The mask of the edges from `first` on.
-    fn decide(&mut self, view: DiagramView<'_>, sites: &[Point], first: usize, mask: &mut [bool]) {
-        let rows = first..first + mask.len();
-        let mut corners = [[0; 4]; TOGETHER];
-        let tables = view.edges[rows.clone()].iter().zip(&view.dual_edges[rows]);
-        for (corners, (&ends, dual)) in corners.iter_mut().zip(tables) {
-            let [r, s] = dual.map(|triangle| apex(view, ends, triangle));
-            *corners = [ends[0], ends[1], r, s];
+    fn gather(&mut self, view: DiagramView<'_>, rows: Range<usize>) {
+        let none = [f64::NAN; 2];
+        let (ends, which) = distinct(&view.edges[rows.clone()]);
+        let mut places = [none; TOGETHER];
+        // Nothing but these reads: many are then under way at once.
+        for (place, &site) in places.iter_mut().zip(&ends) {
+            *place = view.sites.get(site as usize).copied().unwrap_or(none);
         }
-        // Reads and nothing else: many are then under way at once, and what follows waits for none of them.
-        let first_halves =
-            corners.iter().flatten().filter_map(|&corner| sites.get(corner as usize)).map(|p| p[0].to_bits());
-        std::hint::black_box(first_halves.fold(0, std::ops::BitXor::bitxor));
-        let nowhere = [0.0; 2];
-        for (i, corners) in corners[..mask.len()].iter().enumerate() {
-            for (rows, &corner) in self.0.iter_mut().zip(corners) {
-                [rows[0][i], rows[1][i]] = *sites.get(corner as usize).unwrap_or(&nowhere);
-            }
+        for (i, dual) in view.dual_edges[rows].iter().enumerate() {
+            let [right, left] = dual.map(|t| view.vertices.get(t as usize).copied().unwrap_or(none));
+            [self.sites[0][i], self.sites[1][i]] = places[usize::from(which[i])];
+            [self.rights[0][i], self.rights[1][i]] = right;
+            [self.lefts[0][i], self.lefts[1][i]] = left;
         }
-        let (mut sure, mut positive) = ([false; TOGETHER], [false; TOGETHER]);
+    }
+
+    fn sign(&mut self, slack: Slack) {
         for i in 0..TOGETHER {
-            let [p, q, r, s] = [0, 1, 2, 3].map(|corner| [self.0[corner][0][i], self.0[corner][1][i]]);
-            let (value, error) = one_step_value(p, q, r, s);
-            sure[i] = value.abs() > error;
-            positive[i] = value > 0.0;
+            let (x, y) = (self.sites[0][i], self.sites[1][i]);
+            let (ax, ay) = (self.rights[0][i] - x, self.rights[1][i] - y);
+            let (bx, by) = (self.lefts[0][i] - x, self.lefts[1][i] - y);
+            let (a, b) = (ax.abs() + ay.abs(), bx.abs() + by.abs());
+            let (value, error) = (ax * bx + ay * by, slack.part * (a * b) + slack.least * (a + b) + TINY);
+            let is_near = a + b < HUGE;
+            self.signs[i] = i8::from(is_near & (value > error)) - i8::from(is_near & (value < -error));
         }
-        for (i, kept) in mask.iter_mut().enumerate() {
-            let dual = view.dual_edges[first + i];
-            *kept = if sure[i] & !dual.contains(&-1) { positive[i] } else { is_crust(view, sites, first + i) };
+    }
+}
+
+/// Sites, one of every edge, and which of them is the edge's own: edges come in runs that share one, and it is taken
+/// once.
+fn distinct(edges: &[[i32; 2]]) -> (Vec<i32>, [u8; TOGETHER]) {
+    let (mut found, mut which) = (Vec::with_capacity(TOGETHER), [0; TOGETHER]);
+    let mut last = -1;
+    for (i, &[from, to]) in edges.iter().enumerate() {
+        if from != last && to != last {
+            last = match edges.get(i + 1) {
+                Some(next) if next.contains(&to) => to,
+                _ => from,
+            };
+            found.push(last);
         }
+        which[i] = (found.len() - 1) as u8;
+    }
+    (found, which)
+}
+
+/// Products below this may have lost bits.
+const TINY: f64 = 1e-290;
+/// Vertices farther away may have been brought back to where a number can hold them.
+const HUGE: f64 = 1e300;
+
+/// How far the product of the distances from a site to two vertices may be off.
+///
+/// A vertex is rounded by less than 1e-10 of its radius ([`circumcentre`](crate::predicates::circumcentre)) and by a
+/// bit of its coordinates, and moved by 1e-9 of it for every triangle on the way to the one that lends it its place.
+#[derive(Clone, Copy)]
+struct Slack {
+    /// Beside the product of both distances.
+    part: f64,
+    /// Beside their sum.
+    least: f64,
+}
+
+impl Slack {
+    fn of(view: DiagramView<'_>, largest: f64) -> Self {
+        Self { part: 1e-8 + 4.0 * COINCIDENT * view.triangles.len() as f64, least: 4.0 * f64::EPSILON * largest }
     }
 }
 

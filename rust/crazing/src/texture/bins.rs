@@ -1,11 +1,15 @@
 //! Square bins over a region, and the pieces that may reach into each.
 
-use super::grid::UNIT;
+use super::grid::{UNIT, both};
+use super::nearest::PAGE;
 use super::piece::{Piece, Region};
 use crate::error::{Error, Result};
 
 /// Pieces a bin that the side of the bins aims at.
 const CROWD: f64 = 3.0;
+
+/// Bins that a page has at most, where they are smaller than it and lie along it.
+const MIDDLES: usize = 16;
 
 /// Sides of bins, pixels: powers of two.
 const LEAST: i64 = 16;
@@ -97,6 +101,38 @@ impl Bins {
         let bin = |axis: usize, by: i64| (corner[axis] + by - self.corner[axis]).div_euclid(self.side * UNIT);
         let last = side * UNIT - 1;
         [bin(0, 0), bin(1, 0), bin(0, last), bin(1, last)]
+    }
+
+    /// How far from the nearest piece a place in some bins can be, pixels: what is measured at the middle of one bin
+    /// holds for another as far as that is away. Infinite for bins that are no smaller than a page, of which a measure
+    /// at their middles would say little, for bins without pieces, and for many or such as lie beyond the region.
+    pub(super) fn farthest(&self, of: [i64; 4], pieces: &[Piece]) -> f32 {
+        let (columns, rows) = (of[2] - of[0] + 1, of[3] - of[1] + 1);
+        let outside = of[0] < 0 || of[1] < 0 || of[2] >= self.columns || of[3] >= self.rows;
+        if self.side >= PAGE as i64 || columns * rows > MIDDLES as i64 || outside {
+            return f32::INFINITY;
+        }
+        let mut best = [f32::INFINITY; MIDDLES];
+        let place = |nth: usize| [of[0] + nth as i64 % columns, of[1] + nth as i64 / columns];
+        let count = (columns * rows) as usize;
+        for (nth, best) in best[..count].iter_mut().enumerate() {
+            let [column, row] = place(nth);
+            let at = (row * self.columns + column) as usize;
+            let [x, y] = both(|axis| self.corner[axis] + (2 * [column, row][axis] + 1) * self.side * UNIT / 2);
+            for &id in &self.pieces[self.starts[at] as usize..self.starts[at + 1] as usize] {
+                let distance = pieces[id as usize].distance(x, y);
+                *best = if distance < *best { distance } else { *best };
+            }
+        }
+        let side = self.side as f32;
+        let apart = |a: usize, b: usize| {
+            let [x, y] = both(|axis| (place(a)[axis] - place(b)[axis]) as f32 * side);
+            (x * x + y * y).sqrt()
+        };
+        let nearest = |a: usize| (0..count).fold(best[a], |least, b| least.min(best[b] + apart(a, b)));
+        let is_full = best[..count].iter().all(|&best| best < f32::INFINITY);
+        let farthest = (0..count).map(|nth| if is_full { best[nth] } else { nearest(nth) }).fold(0.0, f32::max);
+        farthest + side * std::f32::consts::FRAC_1_SQRT_2
     }
 
     /// Whether the ring of bins that far around some bins lies wholly within the region.

@@ -121,9 +121,14 @@ fn raise<const THICK: bool>(piece: &Piece, x: i32, dy: f32, pixels: &mut [u8; LA
     for (lane, value) in values.iter_mut().enumerate() {
         *value = share::<THICK>(piece, (x + lane as i32 * UNIT as i32) as f32 * PART, dy);
     }
-    for (pixel, value) in pixels.iter_mut().zip(values) {
-        let value = value.to_bits() as u8;
-        *pixel = if value > *pixel { value } else { *pixel };
+    // In numbers as wide as the values: as bytes they would be taken out and compared one by one.
+    let mut highest = [0_u32; LANES];
+    for (lane, highest) in highest.iter_mut().enumerate() {
+        let (value, pixel) = (values[lane].to_bits() & 0xFF, u32::from(pixels[lane]));
+        *highest = if value > pixel { value } else { pixel };
+    }
+    for (pixel, highest) in pixels.iter_mut().zip(&highest) {
+        *pixel = *highest as u8;
     }
 }
 

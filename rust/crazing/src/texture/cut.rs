@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::Pattern;
-use super::grid::{Grid, UNIT, ceil, round};
+use super::grid::{Grid, UNIT, both, ceil, round};
 use super::piece::{Piece, Region};
 use crate::error::{Error, Result};
 
@@ -26,10 +26,10 @@ pub(super) fn pieces(
     found.try_reserve(rows.len()).map_err(|_| Error::OutOfMemory { what: "the edges in pixels", bytes })?;
     for row in rows {
         let widths = pattern.widths[row];
-        let [a, b] = pattern.edges[row].map(|vertex| vertex as usize);
+        let [a, b] = both(|end| pattern.edges[row][end] as usize);
         let start = grid.place(pattern.vertices[a], a)?;
         let mut end = grid.place(pattern.vertices[b], b)?;
-        let shift = pattern.shifts.get(row).map_or([0; 2], |shift| grid.shift(shift.map(i64::from)));
+        let shift = pattern.shifts.get(row).map_or([0; 2], |shift| grid.shift(both(|axis| i64::from(shift[axis]))));
         end = [end[0] + shift[0], end[1] + shift[1]];
         if let Some(&value) = widths.iter().find(|width| !(width.is_finite() && **width >= 0.0)) {
             return Err(Error::BadEntry {
@@ -39,7 +39,7 @@ pub(super) fn pieces(
                 wanted: "widths must be finite and at least 0",
             });
         }
-        let radii = widths.map(|width| (width * grid.scale / 2.0).min((1_i64 << 36) as f64));
+        let radii = both(|end| (widths[end] * grid.scale / 2.0).min((1_i64 << 36) as f64));
         let far = ceil((radii[0].max(radii[1]) + 1.0) * UNIT as f64);
         let box_of = [
             start[0].min(end[0]) - far,
@@ -48,11 +48,11 @@ pub(super) fn pieces(
             start[1].max(end[1]) + far,
         ];
         all &= (0..2).all(|axis| region[axis] <= box_of[axis] && box_of[axis + 2] <= region[axis + 2]);
-        let [columns, lines] = [0, 1].map(|axis| images(box_of, region, grid.period[axis] * UNIT, axis));
+        let [columns, lines] = both(|axis| images(box_of, region, grid.period[axis] * UNIT, axis));
         for i in columns.0..=columns.1 {
             for j in lines.0..=lines.1 {
                 let by = [i * grid.period[0] * UNIT, j * grid.period[1] * UNIT];
-                let ends = [start, end].map(|place| [place[0] + by[0], place[1] + by[1]]);
+                let ends = [[start[0] + by[0], start[1] + by[1]], [end[0] + by[0], end[1] + by[1]]];
                 cut(ends, radii, row as u32, region, &mut found)?;
             }
         }
@@ -72,7 +72,7 @@ fn images(box_of: Region, region: Region, period: i64, axis: usize) -> (i64, i64
 /// Cuts one edge into pieces and keeps those that meet the region.
 fn cut(ends: [[i64; 2]; 2], radii: [f64; 2], edge: u32, region: Region, found: &mut Vec<Piece>) -> Result<()> {
     let [start, end] = ends;
-    let step = [end[0] - start[0], end[1] - start[1]].map(|part| part as f64);
+    let step = both(|axis| (end[axis] - start[axis]) as f64);
     let length = (step[0] * step[0] + step[1] * step[1]).sqrt() / UNIT as f64;
     let widest = radii[0].max(radii[1]);
     if length <= LONGEST.max(widest) {
@@ -97,7 +97,7 @@ fn cut(ends: [[i64; 2]; 2], radii: [f64; 2], edge: u32, region: Region, found: &
     let (first, last) = ((first * count).floor() as i64 - 1, (last * count).ceil() as i64 + 1);
     let at = |k: i64| {
         let part = k as f64 / count;
-        let place = [0, 1].map(|axis| start[axis] + round(step[axis] * part));
+        let place = both(|axis| start[axis] + round(step[axis] * part));
         (place, radii[0] + (radii[1] - radii[0]) * part)
     };
     let (first, last) = (first.max(0), last.min(count as i64));

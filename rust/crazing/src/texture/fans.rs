@@ -1,7 +1,7 @@
 //! The edges around every vertex in turn: which plate lies where beyond the end of an edge.
 
 use super::Pattern;
-use super::grid::Grid;
+use super::grid::{Grid, both};
 use crate::error::Result;
 
 /// Half-edges that leave each vertex, counter-clockwise; see `faces` for their numbers.
@@ -16,7 +16,10 @@ pub(super) struct Fans {
 impl Fans {
     /// Sorts the edges around their vertices.
     pub(super) fn new(pattern: &Pattern<'_>, grid: &Grid) -> Result<Self> {
-        let steps = (0..pattern.edges.len()).map(|row| step(pattern, grid, row)).collect::<Result<Vec<_>>>()?;
+        let mut steps = Vec::with_capacity(pattern.edges.len());
+        for row in 0..pattern.edges.len() {
+            steps.push(step(pattern, grid, row)?);
+        }
         let mut starts = vec![0; pattern.vertices.len() + 1];
         pattern.edges.as_flattened().iter().for_each(|&vertex| starts[vertex as usize + 1] += 1);
         (0..pattern.vertices.len()).for_each(|vertex| starts[vertex + 1] += starts[vertex]);
@@ -26,8 +29,9 @@ impl Fans {
             next[vertex as usize] += 1;
         }
         let mut fans = Self { starts, halves: Vec::new(), steps };
+        let turns: Vec<f64> = (0..halves.len() as u32).map(|half| super::faces::turn(fans.leaves(half))).collect();
         for around in fans.starts.windows(2) {
-            let turn = |half: &u32| super::faces::turn(fans.leaves(*half));
+            let turn = |half: &u32| turns[*half as usize];
             halves[around[0] as usize..around[1] as usize].sort_by(|a, b| turn(a).total_cmp(&turn(b)));
         }
         fans.halves = halves;
@@ -67,9 +71,9 @@ impl Fans {
 
 /// The vector of an edge, from places on the grid: moving the pattern by whole pixels does not change it.
 fn step(pattern: &Pattern<'_>, grid: &Grid, row: usize) -> Result<[f64; 2]> {
-    let [a, b] = pattern.edges[row].map(|vertex| vertex as usize);
+    let [a, b] = both(|end| pattern.edges[row][end] as usize);
     let (start, end) = (grid.place(pattern.vertices[a], a)?, grid.place(pattern.vertices[b], b)?);
-    let shift = pattern.shifts.get(row).map_or([0; 2], |shift| grid.shift(shift.map(i64::from)));
-    let parts = [0, 1].map(|axis| (end[axis] + shift[axis] - start[axis]) as f64 * f64::from(super::grid::PART));
+    let shift = pattern.shifts.get(row).map_or([0; 2], |shift| grid.shift(both(|axis| i64::from(shift[axis]))));
+    let parts = both(|axis| (end[axis] + shift[axis] - start[axis]) as f64 * f64::from(super::grid::PART));
     Ok([parts[0], -parts[1]])
 }

@@ -89,19 +89,25 @@ impl Grid {
     pub(super) fn place(&self, point: Point, row: usize) -> Result<[i64; 2]> {
         let x = (point[0] - self.centre[0]) * self.scale + self.middle[0];
         let y = self.middle[1] - (point[1] - self.centre[1]) * self.scale;
-        for (pixels, value) in [x, y].into_iter().zip(point) {
-            if !value.is_finite() || pixels.abs() > FAR {
-                let wanted = "every coordinate that an edge uses must be finite, and within 2^36 pixels of the picture";
-                return Err(Error::BadEntry { array: "vertices", row, value, wanted });
-            }
+        let is_good = |pixels: f64, value: f64| value.is_finite() && pixels.abs() <= FAR;
+        if !is_good(x, point[0]) || !is_good(y, point[1]) {
+            let value = if is_good(x, point[0]) { point[1] } else { point[0] };
+            let wanted = "every coordinate that an edge uses must be finite, and within 2^36 pixels of the picture";
+            return Err(Error::BadEntry { array: "vertices", row, value, wanted });
         }
-        Ok([x, y].map(|pixels| round(pixels * UNIT as f64)))
+        Ok([round(x * UNIT as f64), round(y * UNIT as f64)])
     }
 
     /// A shift in periods, in parts of a pixel, y down.
     pub(super) fn shift(&self, periods: [i64; 2]) -> [i64; 2] {
         [periods[0] * self.period[0] * UNIT, -periods[1] * self.period[1] * UNIT]
     }
+}
+
+/// What holds of both axes. Arrays have `map` for that, which is a call where this is none.
+#[inline(always)]
+pub(super) fn both<T>(of: impl Fn(usize) -> T) -> [T; 2] {
+    [of(0), of(1)]
 }
 
 /// The nearest integer, halves away from zero: what `round` gives, which is slow where the processor has no such command.

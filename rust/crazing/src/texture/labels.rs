@@ -60,17 +60,12 @@ impl Scene<'_> {
                 out.fill(-1);
                 continue;
             }
-            for ((out, distances), codes) in
-                out.chunks_mut(LANES).zip(row.distance.chunks(LANES)).zip(row.code.chunks(LANES))
-            {
-                out.fill(-1);
-                if !distances.iter().fold(false, |any, &distance| any | (distance < REACH)) {
-                    continue;
-                }
-                for ((out, &distance), &code) in out.iter_mut().zip(distances).zip(codes) {
-                    *out = if distance < REACH { labels[(code / CODES) as usize] } else { *out };
-                }
+            let ((outs, out), (chunks, distances)) = (out.as_chunks_mut::<LANES>(), row.distance.as_chunks::<LANES>());
+            let (codes_of, codes) = row.code.as_chunks::<LANES>();
+            for (nth, out) in outs.iter_mut().enumerate() {
+                mark(&chunks[nth], &codes_of[nth], labels, out);
             }
+            mark(distances, codes, labels, out);
         }
         if let Some(out) = stretch(&mut maps.direction, row, 2) {
             for (x, out) in out.as_chunks_mut().0.iter_mut().enumerate() {
@@ -84,19 +79,32 @@ impl Scene<'_> {
         if cells.is_empty() {
             return out.fill(0);
         }
-        for (nth, (out, codes)) in out.chunks_mut(LANES).zip(row.code.chunks(LANES)).enumerate() {
-            if is_one(codes) && cells[codes[0] as usize] >= 0 {
-                out.fill(cells[codes[0] as usize]);
-                continue;
+        let ((outs, out), (chunks, codes)) = (out.as_chunks_mut::<LANES>(), row.code.as_chunks::<LANES>());
+        let first = LANES * chunks.len();
+        for (nth, out) in outs.iter_mut().enumerate() {
+            let codes = &chunks[nth];
+            let cell = cells[codes[0] as usize];
+            if is_one(codes) && cell >= 0 {
+                *out = [cell; LANES];
+            } else {
+                self.several_plates(row, nth * LANES, codes, cells, out);
             }
-            let mut least = 0;
-            for (out, &code) in out.iter_mut().zip(codes) {
-                *out = cells[code as usize];
-                least = least.min(*out);
-            }
-            if least < 0 {
-                for (x, out) in (nth * LANES..).zip(out).filter(|(_, out)| **out < 0) {
-                    *out = self.cell(row, x, cells);
+        }
+        self.several_plates(row, first, codes, cells, out);
+    }
+
+    /// The plates of some pixels from the one numbered `first` on.
+    #[inline(always)]
+    fn several_plates(&self, row: &Row<'_>, first: usize, codes: &[u32], cells: &mut [i32], out: &mut [i32]) {
+        let mut least = 0;
+        for (lane, out) in out.iter_mut().enumerate() {
+            *out = cells[codes[lane] as usize];
+            least = if *out < least { *out } else { least };
+        }
+        if least < 0 {
+            for (lane, out) in out.iter_mut().enumerate() {
+                if *out < 0 {
+                    *out = self.cell(row, first + lane, cells);
                 }
             }
         }
@@ -166,8 +174,28 @@ impl Fans {
     }
 }
 
+/// The labels of some pixels: of those on the crack that of the nearest piece.
+#[inline(always)]
+fn mark(distances: &[f32], codes: &[u32], labels: &[i32], out: &mut [i32]) {
+    let mut near = false;
+    for (lane, out) in out.iter_mut().enumerate() {
+        near |= distances[lane] < REACH;
+        *out = -1;
+    }
+    if near {
+        for (lane, out) in out.iter_mut().enumerate() {
+            let label = labels[(codes[lane] / CODES) as usize];
+            *out = if distances[lane] < REACH { label } else { -1 };
+        }
+    }
+}
+
 /// Whether pixels are alike.
 #[inline(always)]
-fn is_one(codes: &[u32]) -> bool {
-    codes.iter().fold(true, |all, code| all & (*code == codes[0]))
+fn is_one(codes: &[u32; LANES]) -> bool {
+    let mut all = true;
+    for code in codes {
+        all &= *code == codes[0];
+    }
+    all
 }

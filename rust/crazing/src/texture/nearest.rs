@@ -5,7 +5,7 @@
 //! could not have changed a pixel: the result depends neither on the squares nor on the bins.
 
 use super::bins::Bins;
-use super::grid::UNIT;
+use super::grid::{UNIT, both};
 use super::near::{CODES, Near, beside};
 use super::piece::Piece;
 use super::squares::Squares;
@@ -69,9 +69,13 @@ impl Search {
         self.stamps.resize(pieces.len().max(self.stamps.len()), 0);
         self.stamp += 1;
         self.found.clear();
-        let corner = corner.map(|pixel| pixel * UNIT);
-        let [x, y] = corner.map(|part| part + PAGE as i64 * UNIT / 2);
+        let corner = both(|axis| corner[axis] * UNIT);
+        let [x, y] = both(|axis| corner[axis] + PAGE as i64 * UNIT / 2);
         let of = bins.of(corner, PAGE as i64);
+        let farthest = bins.farthest(of, pieces);
+        if farthest < f32::INFINITY {
+            return self.collect(set, of, if farthest < reach { farthest } else { reach });
+        }
         let (mut best, mut ring) = (f32::INFINITY, 0);
         loop {
             bins.ring(of, ring, |ids| {
@@ -104,11 +108,42 @@ impl Search {
         true
     }
 
+    /// Takes all pieces from the bins of a page and as many rings around them as may hold what is nearer than
+    /// `farthest` to one of its pixels; false if the region of the bins is too small for that.
+    fn collect(&mut self, set: &Set, of: [i64; 4], farthest: f32) -> bool {
+        let Set { bins, whole, .. } = set;
+        let (mut ring, farthest) = (0, widened(farthest));
+        let Self { page, stamps, stamp, .. } = self;
+        page.ids.clear();
+        loop {
+            bins.ring(of, ring, |ids| {
+                for &id in ids {
+                    if stamps[id as usize] != *stamp {
+                        stamps[id as usize] = *stamp;
+                        page.ids.push(id);
+                    }
+                }
+            });
+            if (ring * bins.side) as f32 >= farthest {
+                break;
+            }
+            ring += 1;
+            if !whole && !bins.holds_ring(of, ring) {
+                return false;
+            }
+            if !bins.meets_ring(of, ring) {
+                break;
+            }
+        }
+        page.ids.sort_unstable();
+        true
+    }
+
     /// Fills the first `size` pixels of the page, across and down, with the nearest pieces of the square opened last.
     #[inline(always)]
     pub(super) fn fill(&mut self, set: &Set, corner: [i64; 2], size: [usize; 2], reach: f32) {
         let Self { page, squares, .. } = self;
-        let [x, y] = corner.map(|pixel| pixel * UNIT);
+        let [x, y] = both(|axis| corner[axis] * UNIT);
         page.near.clear();
         if page.see(&set.pieces, [x, y]) {
             squares.solve(page, size, reach);

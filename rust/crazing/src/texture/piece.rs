@@ -1,6 +1,6 @@
 //! A short tapered piece of an edge on the grid of pixels.
 
-use super::grid::{PART, UNIT, ceil, round};
+use super::grid::{PART, UNIT, both, ceil, round};
 
 /// A rectangle in parts of a pixel: xmin, ymin, xmax, ymax.
 pub(super) type Region = [i64; 4];
@@ -38,7 +38,7 @@ impl Piece {
         before: f32,
         ends: [bool; 2],
     ) -> Self {
-        let step = [0, 1].map(|axis| (end[axis] - start[axis]) as f64 / UNIT as f64);
+        let step = both(|axis| (end[axis] - start[axis]) as f64 / UNIT as f64);
         let length = (step[0] * step[0] + step[1] * step[1]).sqrt();
         let slope = (radii[1] - radii[0]) / length;
         if slope.is_nan() || slope.abs() >= 0.999 {
@@ -49,7 +49,7 @@ impl Piece {
         }
         Self {
             start,
-            along: step.map(|part| (part / length) as f32),
+            along: both(|axis| (step[axis] / length) as f32),
             length: length as f32,
             radius: radii[0] as f32,
             slope: slope as f32,
@@ -64,7 +64,7 @@ impl Piece {
     pub(super) fn region(&self) -> Region {
         let far = self.radius.max(self.radius + self.slope * self.length) + 1.0;
         let far = ceil(f64::from(far) * UNIT as f64);
-        let reach = self.along.map(|part| round(f64::from(part) * f64::from(self.length) * UNIT as f64));
+        let reach = both(|axis| round(f64::from(self.along[axis]) * f64::from(self.length) * UNIT as f64));
         let [x, y] = self.start;
         let (p, q) = (x + reach[0], y + reach[1]);
         [x.min(p) - far, y.min(q) - far, x.max(p) + far, y.max(q) + far]

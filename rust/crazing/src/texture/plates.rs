@@ -41,7 +41,7 @@ pub(super) struct Plate {
 }
 
 /// Every plate's own numbers, from a generator that counts plates.
-pub(super) fn plates(count: usize, reaches: &[f64], key: Key) -> Vec<Plate> {
+pub(super) fn plates(reaches: &[f64], key: Key) -> Vec<Plate> {
     let own = |plate: usize| {
         let words = block(key, [plate as u64, 0, stream::PLATE, 0]);
         let half = |word: u64| [word & 0xFFFF_FFFF, word >> 32].map(|bits| (open_unit(bits << 32) * 2.0 - 1.0) as f32);
@@ -52,5 +52,5 @@ pub(super) fn plates(count: usize, reaches: &[f64], key: Key) -> Vec<Plate> {
         let reach = reaches.get(plate).copied().filter(|reach| *reach > 0.0).map_or(0.0, |reach| (1.0 / reach) as f32);
         Plate { tint, level, tilt: [x / length * reach, y / length * reach], curl: 0.5 + 0.5 * curl }
     };
-    (0..count).map(own).collect()
+    (0..reaches.len()).map(own).collect()
 }

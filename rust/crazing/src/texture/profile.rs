@@ -62,10 +62,7 @@ impl Profile {
     #[inline(always)]
     pub(super) fn at(&self, distance: f32, radius: f32, plate: f32, curl: f32) -> Height {
         let level = self.top + plate;
-        // Both without a branch, so that several places are done at a time.
-        let (a, b) = (rest(distance * self.rim_rate, self.rim_rate), rest(distance * self.curl_rate, self.curl_rate));
-        let beside = level - self.rim * a * a + curl * b * b;
-        let beside_by_distance = 2.0 * (self.rim * a * self.rim_rate - curl * b * self.curl_rate);
+        let (beside, beside_by_distance) = self.beside(distance, plate, curl);
         let edge = level - self.rim + curl;
         let (share, by_share) = root_of_share(radius * self.widest);
         let bottom = self.top - self.depth * share;
@@ -86,6 +83,16 @@ impl Profile {
             by_radius: if outside { 0.0 } else { by_radius },
             by_plate: if outside { 1.0 } else { 1.0 - wall },
         }
+    }
+
+    /// The same beside the crack: the height, and how it changes with the distance.
+    #[inline(always)]
+    pub(super) fn beside(&self, distance: f32, plate: f32, curl: f32) -> (f32, f32) {
+        let level = self.top + plate;
+        // Both without a branch, so that several places are done at a time.
+        let (a, b) = (rest(distance * self.rim_rate, self.rim_rate), rest(distance * self.curl_rate, self.curl_rate));
+        let height = level - self.rim * a * a + curl * b * b;
+        (height, 2.0 * (self.rim * a * self.rim_rate - curl * b * self.curl_rate))
     }
 
     /// The part of the sky that is seen from a place: that of the middle between two long straight rims.

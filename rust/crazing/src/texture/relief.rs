@@ -48,37 +48,37 @@ impl Scene<'_> {
         let mut normal = stretch(&mut maps.normal, row, 3).map(|out| out.as_chunks_mut().0);
         let mut sky = stretch(&mut maps.ao, row, 1);
         let reach = if self.plain { self.profile.reach } else { f32::INFINITY };
-        let is_near = |distances: &[f32]| distances.iter().fold(false, |any, &distance| any | (distance < reach));
-        let step = if is_near(row.distance) { LANES } else { row.width() };
+        if !is_near(row.distance, reach) {
+            // Beyond the rims all is level.
+            height.iter_mut().for_each(|out| out.fill(self.profile.top));
+            normal.iter_mut().for_each(|out| out.fill(UP));
+            sky.iter_mut().for_each(|out| out.fill(1.0));
+            return;
+        }
         let (mut ground, mut relief) = (Ground::default(), Relief::default());
-        for (nth, distances) in row.distance.chunks(step).enumerate() {
-            let first = nth * step;
-            let last = first + distances.len();
-            if !is_near(distances) {
-                // Beyond the rims all is level.
-                height.iter_mut().for_each(|out| out[first..last].fill(self.profile.top));
-                normal.iter_mut().for_each(|out| out[first..last].fill(UP));
-                sky.iter_mut().for_each(|out| out[first..last].fill(1.0));
-                continue;
-            }
-            find(row, first, &mut ground, normal.is_some());
-            self.chip(first, rows, &mut ground);
-            self.raise(row, first, rows, &mut ground);
-            self.stand(&ground, &mut relief, sky.is_some(), normal.is_some());
-            if self.plain {
-                relief.flatten(distances, reach, self.profile.top);
+        for first in (0..row.width()).step_by(LANES) {
+            let distances = lanes(&row.distance[first..], f32::INFINITY);
+            if is_near(&distances, reach) {
+                ground.distance = distances;
+                find(row, first, &mut ground, normal.is_some());
+                self.chip(first, rows, &mut ground);
+                self.raise(row, first, rows, &mut ground);
+                self.stand(&ground, &mut relief, sky.is_some(), normal.is_some());
+                if self.plain {
+                    relief.flatten(&distances, reach, self.profile.top);
+                }
+            } else {
+                relief = Relief::level(self.profile.top);
             }
             if let Some(out) = &mut height {
-                out[first..last].copy_from_slice(&relief.height[..distances.len()]);
+                put(&mut out[first..], |lane| relief.height[lane]);
             }
             if let Some(out) = &mut sky {
-                out[first..last].copy_from_slice(&relief.sky[..distances.len()]);
+                put(&mut out[first..], |lane| relief.sky[lane]);
             }
             if let Some(out) = &mut normal {
                 let [x, y, z] = &relief.normal;
-                for (lane, out) in out[first..last].iter_mut().enumerate() {
-                    *out = [x[lane], y[lane], z[lane]];
-                }
+                put(&mut out[first..], |lane| [x[lane], y[lane], z[lane]]);
             }
         }
     }
@@ -131,13 +131,21 @@ impl Scene<'_> {
     #[inline(always)]
     fn stand(&self, ground: &Ground, relief: &mut Relief, sky: bool, normal: bool) {
         let (mut by_distance, mut by_radius, mut by_plate) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        for lane in 0..LANES {
-            let (distance, radius) = (ground.distance[lane], ground.radius[lane]);
-            let found = self.profile.at(distance, radius, ground.rise[lane], ground.curl[lane]);
-            relief.height[lane] = found.height;
-            by_distance[lane] = found.by_distance;
-            by_radius[lane] = found.by_radius;
-            by_plate[lane] = found.by_plate;
+        if ground.distance.iter().fold(true, |all, &distance| all & (distance >= 0.0)) {
+            for (lane, by_distance) in by_distance.iter_mut().enumerate() {
+                let (distance, rise, curl) = (ground.distance[lane], ground.rise[lane], ground.curl[lane]);
+                (relief.height[lane], *by_distance) = self.profile.beside(distance, rise, curl);
+            }
+            by_plate = [1.0; LANES];
+        } else {
+            for lane in 0..LANES {
+                let (distance, radius) = (ground.distance[lane], ground.radius[lane]);
+                let found = self.profile.at(distance, radius, ground.rise[lane], ground.curl[lane]);
+                relief.height[lane] = found.height;
+                by_distance[lane] = found.by_distance;
+                by_radius[lane] = found.by_radius;
+                by_plate[lane] = found.by_plate;
+            }
         }
         if sky {
             for lane in 0..LANES {
@@ -167,18 +175,51 @@ impl Scene<'_> {
 }
 
 impl Relief {
+    /// Level ground of that height.
+    #[inline(always)]
+    fn level(height: f32) -> Self {
+        let [x, y, z] = UP;
+        Self { height: [height; LANES], sky: [1.0; LANES], normal: [[x; LANES], [y; LANES], [z; LANES]] }
+    }
+
     /// Levels what is not nearer to the crack than `reach`.
     #[inline(always)]
-    fn flatten(&mut self, distances: &[f32], reach: f32, top: f32) {
-        let mut near = [false; LANES];
-        near.iter_mut().zip(distances).for_each(|(near, &distance)| *near = distance < reach);
+    fn flatten(&mut self, distances: &Lanes, reach: f32, top: f32) {
         let [x, y, z] = &mut self.normal;
         for (values, level) in [(&mut self.height, top), (&mut self.sky, 1.0), (x, 0.0), (y, 0.0), (z, 1.0)] {
-            for (value, near) in values.iter_mut().zip(near) {
-                *value = if near { *value } else { level };
+            for lane in 0..LANES {
+                values[lane] = if distances[lane] < reach { values[lane] } else { level };
             }
         }
     }
+}
+
+/// The first of some values, as many as are done together; what is missing is `pad`.
+#[inline(always)]
+fn lanes<T: Copy>(values: &[T], pad: T) -> [T; LANES] {
+    values.first_chunk().copied().unwrap_or_else(|| {
+        let mut lanes = [pad; LANES];
+        lanes[..values.len()].copy_from_slice(values);
+        lanes
+    })
+}
+
+/// Writes as many values as are done together, or fewer where the map ends.
+#[inline(always)]
+fn put<T>(out: &mut [T], of: impl Fn(usize) -> T) {
+    if let Some(out) = out.first_chunk_mut::<LANES>() {
+        for (lane, out) in out.iter_mut().enumerate() {
+            *out = of(lane);
+        }
+    } else {
+        out.iter_mut().enumerate().for_each(|(lane, out)| *out = of(lane));
+    }
+}
+
+/// Whether any place is nearer to the crack than `reach`.
+#[inline(always)]
+fn is_near(distances: &[f32], reach: f32) -> bool {
+    distances.iter().fold(false, |any, &distance| any | (distance < reach))
 }
 
 /// The nearest discs of some pixels; how they change only where that is wanted.
@@ -187,20 +228,21 @@ fn find(row: &Row<'_>, first: usize, ground: &mut Ground, slopes: bool) {
     let (mut dx, mut dy) = ([0.0_f32; LANES], [0.0_f32; LANES]);
     let (mut along, mut length) = ([[0.0_f32; LANES]; 2], [0.0_f32; LANES]);
     let (mut widths, mut lean) = ([[0.0_f32; LANES]; 2], [0.0_f32; LANES]);
-    let last = row.width().min(first + LANES);
-    let (codes, middle) = (&row.code[first..last], |pixel: usize| pixel as i32 * UNIT as i32 + UNIT as i32 / 2);
+    let codes = lanes(&row.code[first..], row.code[first]);
+    let middle = |pixel: usize| pixel as i32 * UNIT as i32 + UNIT as i32 / 2;
     let one = codes[0] / CODES;
-    if let (true, Some(near)) = (is_one(codes, one), row.page.near.get(one as usize)) {
+    if let (true, Some(near)) = (is_one(&codes, one), row.page.near.get(one as usize)) {
         // Most pixels beside each other have the same nearest piece.
         dy = [middle(row.y).wrapping_sub(near.start[1]) as f32 * PART; LANES];
         for (lane, dx) in dx.iter_mut().enumerate() {
             *dx = middle(first + lane).wrapping_sub(near.start[0]) as f32 * PART;
         }
-        (along, length) = (near.along.map(|part| [part; LANES]), [near.length; LANES]);
+        (along, length) = ([[near.along[0]; LANES], [near.along[1]; LANES]], [near.length; LANES]);
         (widths, lean) = ([[near.radius; LANES], [near.slope; LANES]], [near.lean; LANES]);
     } else {
-        for (lane, (x, &code)) in (first..last).zip(codes).enumerate() {
-            if let Some(near) = row.page.near.get((code / CODES) as usize) {
+        for lane in 0..LANES.min(row.width() - first) {
+            let x = first + lane;
+            if let Some(near) = row.page.near.get((codes[lane] / CODES) as usize) {
                 dx[lane] = middle(x).wrapping_sub(near.start[0]) as f32 * PART;
                 dy[lane] = middle(row.y).wrapping_sub(near.start[1]) as f32 * PART;
                 (along[0][lane], along[1][lane], length[lane]) = (near.along[0], near.along[1], near.length);
@@ -212,7 +254,6 @@ fn find(row: &Row<'_>, first: usize, ground: &mut Ground, slopes: bool) {
             }
         }
     }
-    ground.distance[..codes.len()].copy_from_slice(&row.distance[first..last]);
     for lane in 0..LANES {
         let [u, v] = [along[0][lane], along[1][lane]];
         let foot = Foot::new(dx[lane], dy[lane], [u, v], length[lane], [widths[0][lane], widths[1][lane]], lean[lane]);
@@ -234,6 +275,10 @@ fn find(row: &Row<'_>, first: usize, ground: &mut Ground, slopes: bool) {
 
 /// Whether all codes are those of one piece.
 #[inline(always)]
-fn is_one(codes: &[u32], place: u32) -> bool {
-    codes.iter().fold(true, |all, &code| all & (code / CODES == place))
+fn is_one(codes: &[u32; LANES], place: u32) -> bool {
+    let mut all = true;
+    for code in codes {
+        all &= code / CODES == place;
+    }
+    all
 }

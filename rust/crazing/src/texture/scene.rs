@@ -74,7 +74,12 @@ impl Wants {
 
     /// Whether it matters which plate a pixel is on.
     fn plates(&self, material: &Material) -> bool {
-        self.cell || (self.profile && !is_plain(material)) || (self.look && material.tint != 0.0)
+        self.cell || self.differ(material)
+    }
+
+    /// Whether plates differ.
+    fn differ(&self, material: &Material) -> bool {
+        (self.profile && !is_plain(material)) || (self.look && material.tint != 0.0)
     }
 
     fn grain(&self, material: &Material) -> bool {
@@ -153,7 +158,7 @@ impl<'a> Scene<'a> {
             reach: if wants.everywhere() || !plain { f32::INFINITY } else { profile.reach.max(labels::REACH) },
             profile,
             look: Look::new(material, grid.scale),
-            plates: plates::plates(sides.reaches.len(), sides.reaches, key),
+            plates: if wants.differ(material) { plates::plates(sides.reaches, key) } else { Vec::new() },
             fans,
             grain: octaves(wants.grain(material), 0, material.grain_size, 2),
             mottle: octaves(wants.look, 1, material.mottle_size, 3),

@@ -1,6 +1,6 @@
 //! The nearest pieces of a page of pixels: candidates are left out from square to ever smaller square.
 
-use super::grid::{PART, UNIT};
+use super::grid::{PART, UNIT, both};
 use super::near::{CODES, Near};
 use super::nearest::{PAGE, Page, limit};
 
@@ -48,6 +48,10 @@ impl Squares {
                 continue;
             }
             let list = if all.len() > SHORT { list } else { &*all };
+            if let [place] = list[..] {
+                alone(place, page, corner);
+                continue;
+            }
             if list.len() > SHORT {
                 quads.spread(&page.near, list, corner, QUAD, reach);
             }
@@ -64,7 +68,7 @@ impl Spread {
     #[inline(always)]
     fn spread(&mut self, near: &[Near], list: &[u32], corner: [usize; 2], side: usize, reach: f32) {
         let step = side as i32 * UNIT as i32;
-        let [x, y] = corner.map(|pixel| pixel as i32 * UNIT as i32 + step / 2);
+        let [x, y] = both(|axis| corner[axis] as i32 * UNIT as i32 + step / 2);
         let mut best = [f32::INFINITY; LANES];
         self.distances.clear();
         for &place in list {
@@ -79,7 +83,10 @@ impl Spread {
             }
             self.distances.push(distances);
         }
-        let limits = best.map(|best| limit(best, side, reach));
+        let mut limits = [0.0_f32; LANES];
+        for lane in 0..LANES {
+            limits[lane] = limit(best[lane], side, reach);
+        }
         self.lists.iter_mut().for_each(Vec::clear);
         for (&place, distances) in list.iter().zip(&self.distances) {
             let mut kept = 0_u32;
@@ -94,12 +101,30 @@ impl Spread {
     }
 }
 
+/// A square of a page in which one piece is the nearest everywhere.
+#[inline(always)]
+fn alone(place: u32, page: &mut Page, corner: [usize; 2]) {
+    let piece = page.near[place as usize];
+    let [x, y] = both(|axis| corner[axis] as i32 * UNIT as i32 + UNIT as i32 / 2);
+    let (x, y) = (x.wrapping_sub(piece.start[0]), y.wrapping_sub(piece.start[1]));
+    for row in 0..BLOCK {
+        let (dy, at) = ((y + row as i32 * UNIT as i32) as f32 * PART, (corner[1] + row) * PAGE + corner[0]);
+        let (mut distances, mut codes) = ([0.0_f32; BLOCK], [0_u32; BLOCK]);
+        for lane in 0..BLOCK {
+            let (distance, code) = piece.measure((x + lane as i32 * UNIT as i32) as f32 * PART, dy);
+            (distances[lane], codes[lane]) = (distance, CODES * place + code);
+        }
+        put(&mut page.distance[at..], &distances);
+        put(&mut page.code[at..], &codes);
+    }
+}
+
 /// The nearest of some pieces for 4 x 4 pixels; of equally near ones the first.
 #[inline(always)]
 fn solve(list: &[u32], page: &mut Page, corner: [usize; 2]) {
     let mut best = [f32::INFINITY; LANES];
     let mut code = [0_u32; LANES];
-    let [x, y] = corner.map(|pixel| pixel as i32 * UNIT as i32 + UNIT as i32 / 2);
+    let [x, y] = both(|axis| corner[axis] as i32 * UNIT as i32 + UNIT as i32 / 2);
     for &place in list {
         let piece = &page.near[place as usize];
         let (x, y) = (x.wrapping_sub(piece.start[0]), y.wrapping_sub(piece.start[1]));
@@ -118,7 +143,15 @@ fn solve(list: &[u32], page: &mut Page, corner: [usize; 2]) {
     }
     for row in 0..QUAD {
         let at = (corner[1] + row) * PAGE + corner[0];
-        page.distance[at..at + QUAD].copy_from_slice(&best[row * QUAD..][..QUAD]);
-        page.code[at..at + QUAD].copy_from_slice(&code[row * QUAD..][..QUAD]);
+        put(&mut page.distance[at..], &best.as_chunks::<QUAD>().0[row]);
+        put(&mut page.code[at..], &code.as_chunks::<QUAD>().0[row]);
+    }
+}
+
+/// Writes to the beginning of a stretch. Copying slices is a call, which takes longer than so few numbers do.
+#[inline(always)]
+fn put<T: Copy, const N: usize>(out: &mut [T], values: &[T; N]) {
+    if let Some(out) = out.first_chunk_mut() {
+        *out = *values;
     }
 }

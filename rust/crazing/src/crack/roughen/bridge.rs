@@ -56,13 +56,14 @@ impl Bridge {
 /// Heights along an edge; from one level to the next deviation is `next` as large.
 pub(super) fn wavy(heights: &mut [f64], mut spread: f64, next: f64, key: Key, edge: usize) {
     let count = heights.len() - 1;
-    let mut noise = Noise::of(key, edge, 2);
+    // At every place its own number stands until the place is come to; that at the first end is not used.
+    Noise::fill(key, edge, 2, &mut heights[..count]);
     (heights[0], heights[count]) = (0.0, 0.0);
     let mut stretch = count;
     while stretch > 1 {
         for middle in (stretch / 2..count).step_by(stretch) {
             let between = 0.5 * (heights[middle - stretch / 2] + heights[middle + stretch / 2]);
-            heights[middle] = between + spread * noise.at(middle);
+            heights[middle] = between + spread * heights[middle];
         }
         spread *= next;
         stretch /= 2;

@@ -78,9 +78,9 @@ fn long_axis([xx, xy, yy]: [f64; 3], how: Splitting, rng: &mut Rng) -> Point {
 
 /// Where a line meets the outline.
 #[derive(Clone, Copy)]
-struct Hit {
-    side: usize,
-    at: Point,
+pub(super) struct Hit {
+    pub(super) side: usize,
+    pub(super) at: Point,
 }
 
 /// The nearest sides before and behind `from`.
@@ -117,7 +117,8 @@ fn bent(polygon: &[Point], hits: [Hit; 2], bend: f64) -> Option<Vec<Point>> {
         .find(|points| fits(polygon, hits, points))
 }
 
-fn curve(polygon: &[Point], [a, b]: [Hit; 2], bend: f64) -> Vec<Point> {
+/// A wall between two hits that leaves both sides at right angles as far as `bend` says.
+pub(super) fn curve(polygon: &[Point], [a, b]: [Hit; 2], bend: f64) -> Vec<Point> {
     let chord = [b.at[0] - a.at[0], b.at[1] - a.at[1]];
     let length = libm::hypot(chord[0], chord[1]);
     // Sides run counter-clockwise: the inside is on their left. The wall leaves the first and runs into the second.
@@ -167,7 +168,7 @@ fn fits(polygon: &[Point], [a, b]: [Hit; 2], points: &[Point]) -> bool {
 }
 
 /// Whether two segments have a point in common; exact.
-fn meet(a: Point, b: Point, p: Point, q: Point) -> bool {
+pub(super) fn meet(a: Point, b: Point, p: Point, q: Point) -> bool {
     let apart = |i: usize| a[i].max(b[i]) < p[i].min(q[i]) || p[i].max(q[i]) < a[i].min(b[i]);
     if apart(0) || apart(1) {
         return false;

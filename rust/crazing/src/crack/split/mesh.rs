@@ -2,13 +2,12 @@
 //! its left.
 
 use super::chord::Wall;
+use super::founders::Founders;
 use super::moments;
 use crate::clip::Bounds;
 use crate::crack::aged::{Aged, by_age};
 use crate::crack::fence::Fence;
 use crate::crack::net::{NONE, Net};
-use crate::crack::strand::{pairs, strands};
-use crate::crack::walls::Walls;
 use crate::graph::Point;
 use crate::parallel;
 use crate::predicates::orientation;
@@ -47,34 +46,29 @@ impl Mesh {
         Self { points, is_node: vec![true; 4], edges, cells, period: [0.0; 2], ages: 0 }
     }
 
-    /// The cells of a diagram on a torus, all walls shut.
-    pub(super) fn of_walls(walls: &Walls, sites: usize) -> Self {
-        let net = walls.net.view();
-        let first = walls.fence.anchors.len() + net.vertices.len() - sites;
-        let found = strands(net, &pairs(net, std::f64::consts::PI), &[]);
-        let mut around: Vec<Vec<(f64, u32)>> = vec![Vec::new(); sites];
-        let mut edges = Vec::new();
-        for (k, (&ends, kite)) in net.edges.iter().zip(&walls.fence.kites).enumerate() {
-            let cells = [kite[2], kite[3]].map(|site| site - first as i32);
-            let shift = net.shift(k).map(i32::from);
-            edges.push(Edge { ends: ends.map(|end| end as u32), shift, cells, age: found.of_edge[k] });
-            let [a, b] = net.ends(k);
-            for side in 0..2 {
-                // The middle of the wall as seen from the site on that side.
-                let turn = walls.fence.shifts[k];
-                let site = walls.fence.anchors[kite[2 + side] as usize - net.vertices.len()];
-                let site = net.moved(site, [turn[2 + 2 * side], turn[3 + 2 * side]]);
-                let angle = libm::atan2(0.5 * (a[1] + b[1]) - site[1], 0.5 * (a[0] + b[0]) - site[0]);
-                around[cells[side] as usize].push((angle, 2 * k as u32 + side as u32));
-            }
-        }
-        let cells = around.into_iter().map(|mut walls| {
-            walls.sort_by(|a, b| a.0.total_cmp(&b.0));
-            walls.into_iter().map(|(_, half)| half).collect()
+    /// One cell, a period of a torus between its founders.
+    pub(super) fn of_founders(founders: &Founders, period: Point) -> Self {
+        let (round, over) = (founders.ring.len() as u32, founders.across.len() as u32);
+        let points: Vec<Point> = founders.ring.iter().chain(&founders.across).copied().collect();
+        let end = Founders::END as u32;
+        let ring = (0..round).map(|i| {
+            let is_last = i + 1 == round;
+            let shift = if is_last { founders.way } else { [0, 0] };
+            Edge { ends: [i, if is_last { 0 } else { i + 1 }], shift, cells: [0, 0], age: 0 }
         });
-        let ages = found.length.len() as i32;
-        let is_node = vec![true; net.vertices.len()];
-        Self { points: net.vertices.to_vec(), is_node, edges, cells: cells.collect(), period: net.period, ages }
+        let across = (0..=over).map(|i| {
+            let ends = [if i == 0 { 0 } else { round + i - 1 }, if i == over { end } else { round + i }];
+            let shift = if i == over { founders.shift } else { [0, 0] };
+            Edge { ends, shift, cells: [0, 0], age: 1 }
+        });
+        let edges: Vec<Edge> = ring.chain(across).collect();
+        // Along the ring, over to its next turn, back, and down again.
+        let outline = (0..round).map(|k| 2 * k);
+        let outline = outline.chain((0..=over).map(|k| 2 * (round + k)));
+        let outline = outline.chain((0..round).map(|k| 2 * ((2 * round + end - 1 - k) % round) + 1));
+        let outline = outline.chain((0..=over).rev().map(|k| 2 * (round + k) + 1));
+        let is_node = (0..points.len()).map(|i| i == 0 || i == Founders::END).collect();
+        Self { points, is_node, edges, cells: vec![outline.collect()], period, ages: 2 }
     }
 
     #[inline]

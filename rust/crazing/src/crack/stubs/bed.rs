@@ -1,10 +1,11 @@
 //! The drawing that stubs grow in, and the triangles about its edges.
 
 use super::Grown;
-use crate::crack::fence::{Fence, FenceView};
-use crate::crack::net::{NONE, Net, NetView};
+use crate::crack::fence::Fence;
+use crate::crack::net::{NONE, Net};
 use crate::diagram::scale::{Scale, largest};
 use crate::graph::Point;
+use crate::parallel;
 use crate::predicates::orientation;
 
 /// A drawing while stubs grow. Points are numbered as before, those that are new after the anchors.
@@ -42,11 +43,20 @@ struct Index {
 impl Index {
     const END: u32 = u32::MAX;
 
-    fn of(kites: &[[i32; 4]]) -> Self {
-        let bits = kites.len().next_power_of_two().ilog2().max(4);
-        let mut index =
-            Self { last: vec![Self::END; 1 << bits], before: Vec::with_capacity(kites.len()), shift: 64 - bits };
-        kites.iter().enumerate().for_each(|(row, kite)| index.insert([kite[0], kite[1]], row));
+    /// Kites are looked for by an apex of another and one of its ends: rows of which no end is an apex are left out,
+    /// in a maze all. What grows is inserted.
+    fn of(kites: &[[i32; 4]], points: usize) -> Self {
+        let mut is_apex = vec![false; points];
+        for &apex in kites.iter().flat_map(|[_, _, left, right]| [left, right]).filter(|apex| **apex >= 0) {
+            is_apex[apex as usize] = true;
+        }
+        let wanted = |[a, b, _, _]: &[i32; 4]| is_apex[*a as usize] || is_apex[*b as usize];
+        let count = kites.iter().filter(|kite| wanted(kite)).count();
+        let bits = (count + kites.len() / 4).next_power_of_two().ilog2().max(4);
+        let before = vec![Self::END; kites.len()];
+        let mut index = Self { last: vec![Self::END; 1 << bits], before, shift: 64 - bits };
+        let rows = kites.iter().enumerate().filter(|(_, kite)| wanted(kite));
+        rows.for_each(|(row, kite)| index.insert([kite[0], kite[1]], row));
         index
     }
 
@@ -95,27 +105,21 @@ impl Index {
 }
 
 impl Bed {
-    pub(super) fn of(net: NetView<'_>, partner: &[i32], fence: FenceView<'_>, bounds: [f64; 4]) -> Self {
-        let about = Index::of(fence.kites);
-        let owned = Net {
-            vertices: net.vertices.to_vec(),
-            edges: net.edges.to_vec(),
-            shifts: net.shifts.to_vec(),
-            period: net.period,
-            cut: net.cut.to_vec(),
-        };
+    pub(super) fn of(net: Net, partner: Vec<i32>, fence: Fence, bounds: [f64; 4]) -> Self {
+        let edges = net.edges.len();
+        let large = largest(&net.vertices).max(largest(&fence.anchors)).max(net.period[0]).max(net.period[1]);
         Self {
-            net: owned,
-            anchors: fence.anchors.to_vec(),
+            about: Index::of(&fence.kites, net.vertices.len() + fence.anchors.len()),
+            net,
+            anchors: fence.anchors,
             new: Vec::new(),
             bounds,
-            partner: partner.to_vec(),
-            origin: (0..net.edges.len() as i32).collect(),
-            kites: fence.kites.to_vec(),
-            shifts: fence.shifts.to_vec(),
-            kite_of: (0..net.edges.len()).collect(),
-            about,
-            scale: Scale::of(largest(net.vertices).max(largest(fence.anchors)).max(net.period[0]).max(net.period[1])),
+            partner,
+            origin: (0..edges as i32).collect(),
+            kites: fence.kites,
+            shifts: fence.shifts,
+            kite_of: (0..edges).collect(),
+            scale: Scale::of(large),
         }
     }
 
@@ -279,7 +283,7 @@ impl Bed {
         let rows: Vec<usize> = self.kite_of.iter().copied().chain(others).collect();
         let fence = Fence {
             anchors: self.anchors,
-            kites: rows.iter().map(|&row| self.kites[row].map(numbered)).collect(),
+            kites: parallel::map(rows.len(), |i| self.kites[rows[i]].map(numbered)),
             shifts: if self.shifts.is_empty() {
                 Vec::new()
             } else {

@@ -1,0 +1,174 @@
+//! The way of a drawing through the steps of a recipe: what no step changes is not copied, what none needs any more is
+//! let go.
+
+use std::borrow::Cow;
+
+use super::fence::{Fence, FenceView};
+use super::hooks::part;
+use super::net::{NONE, Net, NetView};
+use super::pattern::{Pattern, finished};
+use super::roughen::{Roughness, Trace, trace};
+use super::straighten::{Straightening, straighten};
+use super::strand::pairs;
+use super::stubs::{Stubs, grown};
+use super::warp::warp;
+use super::width::Profile;
+use crate::error::Result;
+use crate::graph::Point;
+use crate::parallel;
+use crate::rng::Key;
+use crate::watch::Watch;
+
+/// The steps of a recipe in their order, those that are wanted, each with the key it draws by.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Course {
+    /// See [`straighten`].
+    pub straightening: Option<Straightening>,
+    /// See [`super::parted`]: the sharpest turn, and how far along the crack it is looked for.
+    pub hooks: Option<[f64; 2]>,
+    /// See [`pairs`]: the sharpest turn.
+    pub turn: Option<f64>,
+    /// See [`warp`]: its amplitude.
+    pub warp: Option<(f64, Key)>,
+    /// See [`super::stubs`].
+    pub stubs: Option<(Stubs, Key)>,
+    /// See [`super::roughen`].
+    pub roughness: Option<(Roughness, Key)>,
+    /// See [`super::widths`].
+    pub widths: (Profile, Key),
+}
+
+/// A drawing on its way; see [`Net`], [`Fence`] and [`super::Aged`].
+struct Stage<'a> {
+    vertices: Cow<'a, [Point]>,
+    edges: Cow<'a, [[i32; 2]]>,
+    shifts: Cow<'a, [[i8; 2]]>,
+    period: Point,
+    cut: Cow<'a, [bool]>,
+    anchors: Cow<'a, [Point]>,
+    kites: Cow<'a, [[i32; 4]]>,
+    turns: Cow<'a, [[i8; 6]]>,
+    partner: Cow<'a, [i32]>,
+    age: Cow<'a, [i32]>,
+}
+
+/// Takes a drawing through the steps: the same bits as step after step.
+///
+/// # Errors
+/// Those of the steps.
+pub fn course(
+    net: NetView<'_>,
+    fence: FenceView<'_>,
+    partner: &[i32],
+    age: &[i32],
+    bounds: [f64; 4],
+    how: Course,
+    watch: Watch<'_>,
+) -> Result<Pattern> {
+    let mut stage = Stage::of(net, fence, partner, age);
+    if let Some(how) = how.straightening {
+        stage.vertices = straighten(stage.net(), &stage.partner, stage.fence(), how, watch)?.into();
+    }
+    if let Some([sharpest, reach]) = how.hooks {
+        let parted = part(stage.net(), &stage.partner, stage.fence(), &stage.age, [sharpest, reach], watch)?;
+        stage = Stage::owning(parted.net, parted.fence, parted.partner, parted.age);
+    }
+    if let Some(sharpest) = how.turn {
+        stage.partner = pairs(stage.net(), sharpest).into();
+        stage.age = Cow::default();
+    }
+    watch.poll()?;
+    if let Some((amplitude, key)) = how.warp {
+        stage.vertices = warp(stage.net(), stage.fence(), amplitude, bounds, key, watch)?.into();
+    }
+    if let Some((how, key)) = how.stubs {
+        let (net, fence, partner, age) = stage.into_owned();
+        let grown = grown(net, partner, fence, bounds, how, key, watch)?;
+        let age = grown.ages(&age);
+        stage = Stage::owning(grown.net, grown.fence, grown.partner, age);
+    }
+    let trace = match how.roughness {
+        Some((how, key)) => trace(stage.net(), &stage.partner, stage.fence(), how, key, watch)?,
+        None => Trace { vertices: stage.vertices.to_vec(), starts: (0..=stage.edges.len()).collect() },
+    };
+    finished(stage.net(), trace, &stage.partner, &stage.age, how.widths, watch)
+}
+
+/// The anchors of a fence in the order in which kites meet them, without the shifts: sites lie in memory as they were
+/// given, at random, and every step asks for those about each edge.
+fn in_order(fence: FenceView<'_>, vertices: usize) -> Fence {
+    let mut number = vec![NONE; fence.anchors.len()];
+    let (mut order, mut kites) = (Vec::with_capacity(fence.anchors.len()), Vec::with_capacity(fence.kites.len()));
+    let mut numbered = |corner: i32| {
+        if (corner as usize) < vertices || corner == NONE {
+            return corner;
+        }
+        let old = corner as usize - vertices;
+        if number[old] == NONE {
+            number[old] = (vertices + order.len()) as i32;
+            order.push(old);
+        }
+        number[old]
+    };
+    kites.extend(fence.kites.iter().map(|kite| kite.map(&mut numbered)));
+    let anchors = parallel::map(order.len(), |i| fence.anchors[order[i]]);
+    Fence { anchors, kites, shifts: Vec::new() }
+}
+
+impl<'a> Stage<'a> {
+    fn of(net: NetView<'a>, fence: FenceView<'a>, partner: &'a [i32], age: &'a [i32]) -> Self {
+        let near = in_order(fence, net.vertices.len());
+        Self {
+            vertices: net.vertices.into(),
+            edges: net.edges.into(),
+            shifts: net.shifts.into(),
+            period: net.period,
+            cut: net.cut.into(),
+            anchors: near.anchors.into(),
+            kites: near.kites.into(),
+            turns: fence.shifts.into(),
+            partner: partner.into(),
+            age: age.into(),
+        }
+    }
+
+    fn owning(net: Net, fence: Fence, partner: Vec<i32>, age: Vec<i32>) -> Self {
+        Self {
+            vertices: net.vertices.into(),
+            edges: net.edges.into(),
+            shifts: net.shifts.into(),
+            period: net.period,
+            cut: net.cut.into(),
+            anchors: fence.anchors.into(),
+            kites: fence.kites.into(),
+            turns: fence.shifts.into(),
+            partner: partner.into(),
+            age: age.into(),
+        }
+    }
+
+    fn net(&self) -> NetView<'_> {
+        let Self { vertices, edges, shifts, period, cut, .. } = self;
+        NetView { vertices, edges, shifts, period: *period, cut }
+    }
+
+    fn fence(&self) -> FenceView<'_> {
+        FenceView { anchors: &self.anchors, kites: &self.kites, shifts: &self.turns }
+    }
+
+    fn into_owned(self) -> (Net, Fence, Vec<i32>, Vec<i32>) {
+        let net = Net {
+            vertices: self.vertices.into_owned(),
+            edges: self.edges.into_owned(),
+            shifts: self.shifts.into_owned(),
+            period: self.period,
+            cut: self.cut.into_owned(),
+        };
+        let fence = Fence {
+            anchors: self.anchors.into_owned(),
+            kites: self.kites.into_owned(),
+            shifts: self.turns.into_owned(),
+        };
+        (net, fence, self.partner.into_owned(), self.age.into_owned())
+    }
+}
