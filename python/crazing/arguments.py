@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import operator
+import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Sized
 from itertools import islice
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 # Rows are numbered with 32-bit integers.
 _INDEX_LIMIT = 2**31 - 1
+
+
+_Kind = TypeVar("_Kind")
 
 
 def found(value: Any) -> str:
@@ -74,10 +78,7 @@ def real_array(values: ArrayLike, name: str) -> NDArray[np.float64]:
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
         # What lies under a mask is not meant to be seen, and NumPy would hand it on without a word.
         raise ValueError(f"{name} has masked entries; drop or fill them")
-    try:
-        array = np.asarray(values)
-    except ValueError as error:
-        raise ValueError(f"{name} is ragged: {error}") from None
+    array = regular(values, name)
     if array.ndim and len(array) > _INDEX_LIMIT:
         raise ValueError(f"{name} has {len(array)} rows; at most {_INDEX_LIMIT} are supported")
     if array.dtype.kind == "O":
@@ -143,6 +144,51 @@ def meant(value: Any, allowed: Iterable[str]) -> str:
     return f" (did you mean {' or '.join(map(repr, near[:3]))}?)" if near else ""
 
 
+def of_kind(value: Any, name: str, kind: type[_Kind]) -> _Kind:
+    """`value`, if it is of that class."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{name} is {found(value)}; a {kind.__name__} is wanted")
+    return value
+
+
+def file_path(value: Any, name: str = "path") -> str | os.PathLike[str]:
+    """`value`, if it names a file."""
+    if not isinstance(value, (str, os.PathLike)):
+        raise TypeError(f"{name} is {found(value)}; the name of a file is wanted")
+    return value
+
+
+def regular(values: Any, name: str) -> NDArray[Any]:
+    """`values` as an array, whatever of."""
+    try:
+        return np.asarray(values)
+    except ValueError:
+        raise ValueError(f"{name} is ragged; rows of one length are wanted") from None
+
+
+def cast(value: Any, name: str, dtype: Any) -> NDArray[Any]:
+    """`value` as a C-contiguous array of a type that holds all its entries; anything else is refused."""
+    wanted = np.dtype(dtype)
+    if isinstance(value, np.ndarray) and value.dtype == wanted:
+        return np.ascontiguousarray(value)
+    array = regular(value, name)
+    if array.size == 0:
+        return np.empty(array.shape, wanted)
+    if array.dtype.kind not in {"b": "b", "i": "iu"}.get(wanted.kind, "iuf"):
+        raise TypeError(f"{name} is {found(value)}; an array of {wanted} is wanted")
+    if wanted.kind == "i" and not np.iinfo(wanted).min <= int(array.min()) <= int(array.max()) <= np.iinfo(wanted).max:
+        raise ValueError(f"{name} is {found(value)}; entries that {wanted} holds are wanted")
+    return np.ascontiguousarray(array, dtype=wanted)
+
+
+def shaped(value: Any, name: str, dtype: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+    """`value` as `cast` gives it, of that shape; a single number stands for all entries and takes no memory."""
+    array = cast(value, name, dtype).reshape(np.shape(value))
+    if array.shape not in ((), shape):
+        raise ValueError(f"{name} has shape {array.shape}; {shape} is wanted")
+    return np.broadcast_to(array, shape)
+
+
 def entries(value: Any, name: str, wanted: int, words: str) -> tuple[Any, ...]:
     """The entries of a short sequence."""
     if not np.iterable(value):
@@ -187,10 +233,7 @@ def thread_count(value: Any, name: str = "threads") -> int:
 
 def index_pairs(values: ArrayLike, name: str, *, limit: int) -> NDArray[np.int32]:
     """`values` as a C-contiguous (n, 2) int32 array of indices below `limit`; an empty list gives (0, 2)."""
-    try:
-        array = np.asarray(values)
-    except ValueError as error:
-        raise ValueError(f"{name} is ragged: {error}") from None
+    array = regular(values, name)
     if array.size == 0 and array.ndim <= 2:
         return np.empty((0, 2), dtype=np.int32)
     if array.dtype.kind not in "iu":

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from crazing import _core
-from crazing.arguments import count, number
+from crazing.arguments import count, entries, number
 from crazing.crack import Crack
 from crazing.drawing import Drawing
 from crazing.graph import PlanarGraph
@@ -130,7 +130,7 @@ def widths(
     fade: float,
 ) -> Widths:
     """The numbers of :func:`crazing.steps.widen`."""
-    x, y = source
+    x, y = entries(source, "source", 2, "(x, y)")
     return (
         number(width, "width", low=0),
         number(hierarchy, "hierarchy", low=0),

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from crazing import _core
+from crazing import _core, arguments
 from crazing.arguments import number
 from crazing.graph import PlanarGraph
 from crazing.record import Record
@@ -51,15 +51,17 @@ class Crack(Record):
     parent: NDArray[np.int32] = field(default=None)  # type: ignore[arg-type]
 
     def __post_init__(self) -> None:
-        edges = len(self.graph.edges)
+        edges = len(arguments.of_kind(self.graph, "graph", PlanarGraph).edges)
         # What is not given takes no memory.
         for name, value, dtype, shape in (
+            ("width", None, np.float64, (edges, 2)),
+            ("strand", None, np.int32, (edges,)),
+            ("generation", None, np.int32, (edges,)),
             ("shifts", 0, np.int8, (edges, 2)),
             ("parent", -1, np.int32, (edges,)),
         ):
             given = getattr(self, name)
-            array = np.asarray(value if given is None else given, dtype=dtype)
-            object.__setattr__(self, name, np.broadcast_to(array, shape))
+            object.__setattr__(self, name, arguments.shaped(value if given is None else given, name, dtype, shape))
         super().__post_init__()
 
     @property

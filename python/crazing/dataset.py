@@ -311,8 +311,8 @@ def _several(value: str | Sequence[str], name: str) -> tuple[str, ...]:
     if not np.iterable(value):
         raise TypeError(f"{name} is {arguments.found(value)}; one name or more are wanted")
     words = (value,) if isinstance(value, str) else tuple(value)
-    if not words or len(set(words)) < len(words):
-        raise ValueError(f"{name} is {words!r}; one name or more, none of them twice, are wanted")
+    if not words or not all(isinstance(word, str) for word in words) or len(set(words)) < len(words):
+        raise ValueError(f"{name} is {arguments.found(words)}; one name or more, none of them twice, are wanted")
     return words
 
 

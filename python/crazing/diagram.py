@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from crazing import _core
+from crazing import _core, arguments
 from crazing.arguments import bounds_tuple, index_chains, period_pair, points_array
 from crazing.graph import PlanarGraph
 from crazing.quad_edge import QuadEdge
@@ -68,16 +68,16 @@ class Diagram(Record):
     def __post_init__(self) -> None:
         # The core takes C-contiguous arrays of these types, whoever made them.
         for name in ("sites", "vertices"):
-            object.__setattr__(self, name, np.ascontiguousarray(getattr(self, name), dtype=np.float64))
+            object.__setattr__(self, name, arguments.cast(getattr(self, name), name, np.float64))
         for name in ("site_of", "triangles", "edges", "dual_edges"):
-            object.__setattr__(self, name, np.ascontiguousarray(getattr(self, name), dtype=np.int32))
+            object.__setattr__(self, name, arguments.cast(getattr(self, name), name, np.int32))
         for name in ("shifts", "dual_shifts"):
             # Zeros that take no memory.
             given = np.int8(0) if getattr(self, name) is None else getattr(self, name)
-            object.__setattr__(self, name, np.broadcast_to(np.asarray(given, dtype=np.int8), self.edges.shape))
+            object.__setattr__(self, name, arguments.shaped(given, name, np.int8, self.edges.shape))
         given = vars(self)["constrained"]
-        constrained = np.asarray(False if given is None else given, dtype=bool)
-        object.__setattr__(self, "constrained", np.broadcast_to(constrained, len(self.edges)))
+        constrained = arguments.shaped(False if given is None else given, "constrained", bool, (len(self.edges),))
+        object.__setattr__(self, "constrained", constrained)
         super().__post_init__()
 
     @property

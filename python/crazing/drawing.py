@@ -103,7 +103,7 @@ def draw(graph: PlanarGraph, *, bounds: Sequence[float] | None = None) -> Drawin
     >>> bool(abs(straight.vertices - zigzag.vertices).max() > 0.2)
     True
     """
-    small = graph.compact()
+    small = arguments.of_kind(graph, "graph", PlanarGraph).compact()
     if bounds is None:
         low, high = (np.min(small.vertices, axis=0), np.max(small.vertices, axis=0)) if len(small.edges) else (0, 1)
         margin = 0.1 * (float(np.max(np.subtract(high, low))) or 1.0)

@@ -28,7 +28,7 @@ _FARTHEST = 1e300
 
 def save(graph: PlanarGraph, path: str | os.PathLike[str]) -> None:
     """Writes `graph` in the format that the ending of `path` names; see `PlanarGraph.save`."""
-    ending = PurePath(path).suffix.lower()
+    ending = PurePath(arguments.file_path(path)).suffix.lower()
     if ending not in _WRITERS:
         raise ValueError(f"path is {os.fspath(path)!r}; an ending of {', '.join(_WRITERS)} is wanted")
     content = _WRITERS[ending](graph)

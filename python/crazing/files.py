@@ -147,6 +147,8 @@ def save_png(
     """
     pixels = _pixels(image)
     pairs = png_text(text)
+    if not isinstance(srgb, (bool, np.bool_)):
+        raise TypeError(f"srgb is {arguments.found(srgb)}; True or False is wanted")
     about = (8 * pixels.itemsize, pairs, bool(srgb), png_density(density))
     if isinstance(path, (str, os.PathLike)):
         with atomic_write(path) as file:
@@ -159,7 +161,7 @@ def save_png(
 
 def _pixels(image: ArrayLike) -> NDArray[Any]:
     """`image` as an (H, W, C) array of uint8 or uint16."""
-    array = np.asarray(image)
+    array = arguments.regular(image, "image")
     if array.dtype == np.bool_:
         array = array.astype(np.uint8) * np.uint8(255)
     if array.dtype.newbyteorder("=") not in (np.uint8, np.uint16):
@@ -180,7 +182,10 @@ def sample_bytes(pixels: NDArray[Any]) -> NDArray[np.uint8]:
 
 def png_density(density: tuple[float, float] | None) -> tuple[int, int]:
     """Pixels a metre as whole numbers that a PNG holds; zeros where there is none to be said."""
-    across, up = (0, 0) if density is None else (round(density[0]), round(density[1]))
+    if density is None:
+        return 0, 0
+    parts = arguments.entries(density, "density", 2, "(across, up) in pixels a metre")
+    across, up = (round(arguments.number(part, f"density[{i}]")) for i, part in enumerate(parts))
     return (across, up) if 0 < across < 2**31 and 0 < up < 2**31 else (0, 0)
 
 

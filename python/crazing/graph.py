@@ -240,6 +240,8 @@ class PlanarGraph(Record):
         if ax is None:
             ax = require("matplotlib.pyplot", "plot").gca()
         lines = require("matplotlib.collections", "plot").LineCollection(self.segments, **line_style)
+        if not hasattr(ax, "add_collection"):
+            raise TypeError(f"ax is {arguments.found(ax)}; axes of Matplotlib are wanted")
         ax.add_collection(lines)
         ax.set_aspect("equal")
         ax.autoscale_view()

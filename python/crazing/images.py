@@ -164,8 +164,8 @@ def brightness(image: ArrayLike, name: str = "image") -> NDArray[np.float64]:
     """
     try:
         array = np.asarray(image)
-    except ValueError as error:
-        raise ValueError(f"{name} is ragged: {error}") from None
+    except ValueError:
+        raise ValueError(f"{name} is ragged; rows of one length are wanted") from None
     if array.dtype.kind not in "biuf":
         raise TypeError(f"{name} has dtype {array.dtype}; bool, integers or floats are wanted")
     if array.ndim != 2 and not (array.ndim == 3 and array.shape[2] in (3, 4)):

@@ -150,7 +150,7 @@ class Material:
             For a name that is no field, or a value out of its range.
         """
         known = [field.name for field in fields(cls)]
-        unknown = sorted(table.keys() - set(known))
+        unknown = sorted(set(arguments.of_kind(table, "table", dict)) - set(known), key=str)
         if unknown:
             asked = arguments.meant(unknown[0], known)
             raise ValueError(f"the material has no {unknown[0]!r}{asked}; it may have {', '.join(known)}")

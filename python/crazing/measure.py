@@ -7,7 +7,7 @@ import os
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from crazing import _core
+from crazing import _core, arguments
 from crazing.arguments import bounds_tuple, count, number
 from crazing.crack import Crack
 from crazing.graph import PlanarGraph
@@ -208,7 +208,7 @@ def as_mask(picture: ArrayLike, *, level: float = 0.5, dark: bool = False) -> ND
     level = number(level, "level")
     if isinstance(picture, (str, os.PathLike)):
         raise TypeError(f"mask is {os.fspath(picture)!r}; pixels are wanted: crazing.images.read_image reads a file")
-    array = np.asarray(picture)
+    array = arguments.regular(picture, "mask")
     if array.ndim == 2 and array.size and array.dtype.kind in "iu" and array.min() >= 0 and array.max() <= 1:
         array = array.astype(bool)
         level = 0.5

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from crazing import arguments
 from crazing.extras import require
 from crazing.graph import PlanarGraph
 
@@ -41,6 +42,8 @@ def draw(comparison: Comparison, axes: Sequence[Axes] | NDArray[np.object_] | No
     panels = np.atleast_1d(np.asarray(axes, dtype=object))
     if panels.shape != (3,):
         raise ValueError(f"axes has shape {panels.shape}; three axes are wanted")
+    if not all(hasattr(ax, "add_collection") for ax in panels):
+        raise TypeError(f"axes is {arguments.found(axes)}; three axes of Matplotlib are wanted")
     view = _view(comparison.first.diagram.sites)
     sites = comparison.first.diagram.sites
     pen, dot = _pen(len(sites)), _dot(comparison, view)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from crazing import arguments
 from crazing.record import Record
 
 if TYPE_CHECKING:
@@ -116,7 +117,7 @@ class QuadEdge(Record):
 
 def quarters(q: ArrayLike, links: NDArray[np.int32]) -> NDArray[np.int32]:
     """`q` as an int32 array of quarter-edges that exist."""
-    array = np.asarray(q)
+    array = arguments.regular(q, "q")
     if array.dtype.kind not in "iu" and array.size:
         raise TypeError(f"quarter-edges have dtype {array.dtype}; integers are wanted")
     if array.size and not (array.min() >= 0 and array.max() < len(links)):

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from crazing import course, files, steps
+from crazing import arguments, course, files, steps
 from crazing import rng as _rng
 from crazing.arguments import bounds_tuple, choice, count, meant, number, period_pair
 from crazing.crack import Crack
@@ -332,7 +332,7 @@ class Recipe:
         OSError
             If the file cannot be read.
         """
-        name = os.fspath(path)
+        name = os.fspath(arguments.file_path(path))
         try:
             with Path(path).open("rb") as file:
                 tables = tomllib.load(file)

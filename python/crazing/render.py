@@ -216,8 +216,8 @@ def rgba(color: Any, name: str) -> tuple[int, int, int, int]:
     else:
         try:
             parts = [arguments.count(part, f"{name}[{i}]", high=255) for i, part in enumerate(color)]
-        except TypeError as error:
-            raise TypeError(f"{name} is {color!r}; '#rrggbb' or 3 or 4 integers are wanted ({error})") from None
+        except TypeError:
+            raise TypeError(f"{name} is {color!r}; '#rrggbb' or 3 or 4 integers are wanted") from None
     if len(parts) not in (3, 4):
         raise ValueError(f"{name} is {color!r}; 3 or 4 channels are wanted")
     red, green, blue, alpha = [*parts, 255][:4]

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from crazing import provenance
+from crazing import arguments, provenance
 from crazing.errors import CrazingError
 from crazing.material import Material
 from crazing.pictures.reading import record_of
@@ -58,7 +58,7 @@ def rerun(
     >>> again.read_bytes() == first.read_bytes()
     True
     """
-    record = record_of(source)
+    record = record_of(arguments.file_path(source, "source"))
     check_version(record, source)
     given = _given(record, source)
     (made,) = write_texture(provenance.crack_of(record["source"]), path, threads=threads, progress=progress, **given)

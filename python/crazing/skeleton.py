@@ -258,7 +258,7 @@ def curve(points: ArrayLike | Diagram) -> PlanarGraph:
     The one-step crust, but for where a sample has not two edges, the curve turns sharply, or a ring is small. There a
     cost of edge lengths beside their surroundings, turns, uneven lengths, free ends and small rings is lowered: first
     samples tell each other what each edge is worth to them until they agree, then edges are exchanged along short
-    trails. Source: after Gold, Snoeyink 2001 (the crust), Ohrhallinger, Mudur 2013 (every sample wants two cheap edges),
+    trails. Source: after Gold, Snoeyink 2001 (the crust), Ohrhallinger, Mudur 2013 (two cheap edges for every sample),
     Bayati, Shah, Sharma 2008 (max-product) and Lin, Kernighan 1973 (trails); the cost is our own.
 
     Examples

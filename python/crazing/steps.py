@@ -55,7 +55,7 @@ def walls(maze: Maze) -> Drawing:
     >>> cz.steps.walls(m).bounds
     (0.0, 0.0, 1.0, 1.0)
     """
-    return paired(*_walls(maze), maze.bounds)
+    return paired(*_walls(arguments.of_kind(maze, "maze", Maze)), maze.bounds)
 
 
 def _walls(maze: Maze) -> tuple[Net, Fence]:
@@ -208,7 +208,7 @@ def impact(
     8
     """
     box = _box(bounds, period)
-    x, y = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2) if source is None else source
+    x, y = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2) if source is None else _place(source)
     found = _core.crack_impact(
         box,
         period is not None,
@@ -225,6 +225,11 @@ def _box(bounds: Sequence[float], period: Sequence[float] | None) -> Bounds:
     if period is None:
         return arguments.bounds_tuple(bounds)
     return 0.0, 0.0, *arguments.period_pair(period)
+
+
+def _place(source: Sequence[float]) -> tuple[float, float]:
+    x, y = arguments.entries(source, "source", 2, "(x, y)")
+    return x, y
 
 
 def follow(drawing: Drawing, *, turn: float = 60.0) -> Drawing:
@@ -253,6 +258,7 @@ def follow(drawing: Drawing, *, turn: float = 60.0) -> Drawing:
     >>> bool((cz.steps.follow(plain, turn=20).partner == -1).sum() > (plain.partner == -1).sum())
     True
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     partner = _core.crack_pairs(drawing.net, course.turning(turn))
     return replace(drawing, partner=partner, age=np.empty(0, dtype=np.int32))
 
@@ -286,6 +292,7 @@ def part(drawing: Drawing, *, hairpin: float, reach: float) -> Drawing:
     >>> len(cz.steps.part(cz.steps.draw(hook), hairpin=120, reach=2).edges)
     3
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     turn = course.hooks(hairpin, reach)
     age = np.ascontiguousarray(drawing.age)
     net, fence, partner, age = _core.crack_part(drawing.net, drawing.fence, drawing.partner, age, turn)
@@ -328,6 +335,7 @@ def straighten(
     >>> cz.PlanarGraph(straight.vertices, straight.edges).length < m.walls.length
     True
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     how = course.straightening(rounds, pull, slide, clamp)
     moved = _core.crack_straighten(drawing.net, drawing.partner, drawing.fence, how)
     return replace(drawing, vertices=moved)
@@ -383,6 +391,7 @@ def stubs(
     >>> stubs > 0, len(grown.edges) - len(bare.edges) == 2 * stubs
     (True, True)
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     how = course.stubbing(rate, length, unit, spread, lean)
     age = np.ascontiguousarray(drawing.age)
     found = _core.crack_stubs(drawing.net, drawing.fence, drawing.partner, age, drawing.bounds, how, key(rng))
@@ -442,6 +451,7 @@ def roughen(
     >>> len(rough.edges) > len(smooth.edges)
     True
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     how = course.roughness(roughness, unit, hurst, grain, rounding)
     # Pieces have no room of their own: a rough drawing takes no more steps that move it.
     found = _core.crack_roughen(drawing.net, drawing.partner, drawing.fence, how, key(rng))
@@ -478,6 +488,7 @@ def warp(drawing: Drawing, *, amplitude: float, rng: RNG = None) -> Drawing:
     >>> bool((cz.steps.warp(plain, amplitude=0.01, rng=1).vertices != plain.vertices).any())
     True
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     amplitude = arguments.number(amplitude, "amplitude", low=0)
     return replace(drawing, vertices=_core.crack_warp(drawing.net, drawing.fence, amplitude, drawing.bounds, key(rng)))
 
@@ -539,6 +550,7 @@ def widen(
     >>> float(c.width.max())
     0.01
     """
+    arguments.of_kind(drawing, "drawing", Drawing)
     profile = course.widths(
         width, hierarchy, shrink, taper, abutting, unevenness, unit, source=source, reach=reach, fade=fade
     )

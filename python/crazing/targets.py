@@ -7,6 +7,7 @@ import tomllib
 from dataclasses import dataclass
 from typing import Any
 
+from crazing import arguments
 from crazing.arguments import choice
 from crazing.crack import Crack
 from crazing.measure import measure
@@ -82,7 +83,7 @@ class Targets:
         >>> all(targets.within(targets.measure(cz.crack(n=100, rng=1))).values())
         False
         """
-        values = statistics.to_dict()
+        values = arguments.of_kind(statistics, "statistics", CrackStatistics).to_dict()
         return {name: low <= values[name] <= high for name, (low, high) in self.limits().items()}
 
     def measure(self, crack: Crack) -> CrackStatistics:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from crazing import _core, files
+from crazing import _core, arguments, files
 from crazing.extras import require
 
 if TYPE_CHECKING:
@@ -103,7 +103,7 @@ def outline(strand: Strand) -> NDArray[np.float64]:
 
 def save(crack: Crack, path: str | os.PathLike[str]) -> None:
     """Writes `crack` in the format that the ending of `path` names; see `Crack.save`."""
-    ending = PurePath(path).suffix.lower()
+    ending = PurePath(arguments.file_path(path)).suffix.lower()
     if ending not in _WRITERS:
         raise ValueError(f"path is {os.fspath(path)!r}; an ending of {', '.join(_WRITERS)} is wanted")
     content = _WRITERS[ending](crack)
