@@ -5,11 +5,20 @@
 
 use crate::graph::Point;
 
-/// Full turn back, beside an edge as long as its surroundings.
-const TURN: f64 = 3.0;
-/// Part of half a turn at which half as much is reached as there would be without end: the first degrees cost most, so
-/// that the turning gathers in few corners.
-const SOFT: f64 = 1.0;
+/// What turning costs.
+#[derive(Clone, Copy)]
+pub(super) struct Turning {
+    /// Full turn back, beside an edge as long as its surroundings.
+    most: f64,
+    /// Part of half a turn at which half as much is reached as there would be without end: the first degrees cost most,
+    /// so that the turning gathers in few corners.
+    soft: f64,
+}
+
+/// Samples that are few but stand on the curve: which way it goes on says most.
+pub(super) const SPARSE: Turning = Turning { most: 3.0, soft: 1.0 };
+/// Samples beside the curve: small turns are noise, and with more weight rings would come open.
+pub(super) const NOISY: Turning = Turning { most: 2.0, soft: 0.5 };
 /// Edges at a site whose lengths differ by a factor e.
 const RATIO: f64 = 0.3;
 /// Logarithm of the lengths beyond which it costs no more.
@@ -48,7 +57,7 @@ pub(super) fn edge(length: f64, a: f64, b: f64) -> f64 {
 }
 
 /// A site with two edges, one or none.
-pub(super) fn site(ends: [Option<End>; 2]) -> f64 {
+pub(super) fn site(ends: [Option<End>; 2], turning: Turning) -> f64 {
     let [Some(a), Some(b)] = ends else {
         return FREE * ends.iter().filter(|end| end.is_none()).count() as f64;
     };
@@ -56,7 +65,7 @@ pub(super) fn site(ends: [Option<End>; 2]) -> f64 {
     let dot = a.step[0] * b.step[0] + a.step[1] * b.step[1];
     let turn = 1.0 - libm::atan2(cross.abs(), dot) / std::f64::consts::PI;
     let ratio = libm::log(a.length / b.length).abs().min(RATIO_MOST);
-    TURN * turn * (1.0 + SOFT) / (turn + SOFT) + RATIO * ratio
+    turning.most * turn * (1.0 + turning.soft) / (turn + turning.soft) + RATIO * ratio
 }
 
 /// A ring of so many sites.

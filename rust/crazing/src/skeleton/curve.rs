@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 
 use super::beliefs::beliefs;
 use super::candidates::Candidates;
-use super::cost::{self, End};
+use super::cost::{self, End, Turning};
 use super::{one_step, spacing};
 use crate::diagram::DiagramView;
 use crate::diagram::scale::{Scale, largest};
@@ -30,7 +30,8 @@ const GAIN: f64 = 1e-9;
 /// Exchanges a site may start: costs only fall, so this is never met but where rounding goes in a circle.
 const EXCHANGES: usize = 20;
 
-/// Whether each edge is part of the curve; no site has more than two of them.
+/// Whether each edge is part of the curve; no site has more than two of them. Turns weigh less than in [`curve_edges`]:
+/// the rings of skeletons are to stay closed when samples are noisy.
 ///
 /// # Errors
 /// [`crate::Error::TooFewSites`], [`crate::Error::Collinear`], [`crate::Error::Interrupted`].
@@ -43,7 +44,7 @@ const EXCHANGES: usize = 20;
 /// (1973). The costs are our own.
 pub fn curve(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Vec<bool>> {
     let crust = one_step(view)?;
-    Ok(Draft::of(view, &crust, Candidates::of_diagram(view)).finished(watch)?.chosen)
+    Ok(Draft::of(view, &crust, Candidates::of_diagram(view), cost::NOISY).finished(watch)?.chosen)
 }
 
 /// The edges of a curve that may also pass between two sites across one edge of the diagram, as it does in narrow straits
@@ -53,7 +54,7 @@ pub fn curve(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Vec<bool>> {
 /// [`crate::Error::TooFewSites`], [`crate::Error::Collinear`], [`crate::Error::Interrupted`].
 pub fn curve_edges(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Vec<[i32; 2]>> {
     let crust = one_step(view)?;
-    let draft = Draft::of(view, &crust, Candidates::with_across(view)).finished(watch)?;
+    let draft = Draft::of(view, &crust, Candidates::with_across(view), cost::SPARSE).finished(watch)?;
     let each = draft.net.edges.iter().zip(&draft.chosen);
     Ok(each.filter(|(_, chosen)| **chosen).map(|(&edge, _)| edge).collect())
 }
@@ -62,6 +63,7 @@ pub fn curve_edges(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Vec<[i32; 
 struct Draft {
     sites: Vec<Point>,
     net: Candidates,
+    turning: Turning,
     /// Cost of every edge, were it chosen.
     price: Vec<f64>,
     chosen: Vec<bool>,
@@ -84,7 +86,7 @@ struct Trail {
 }
 
 impl Draft {
-    fn of(view: DiagramView<'_>, crust: &[bool], net: Candidates) -> Self {
+    fn of(view: DiagramView<'_>, crust: &[bool], net: Candidates, turning: Turning) -> Self {
         let scale = Scale::of(largest(view.sites));
         let sites: Vec<Point> = view.sites.iter().map(|&p| scale.down(p)).collect();
         let spacing = spacing::spacing(view, &sites, &Incidence::of(sites.len(), view.edges), crust);
@@ -100,6 +102,7 @@ impl Draft {
         Self {
             sites,
             net,
+            turning,
             price,
             chosen,
             degrees: vec![0; count],
@@ -146,7 +149,7 @@ impl Draft {
 
     fn cost_at(&self, v: usize) -> f64 {
         let mut ends = self.ends(v).map(|k| self.end(k, v));
-        cost::site([ends.next(), ends.next()])
+        cost::site([ends.next(), ends.next()], self.turning)
     }
 
     /// Whether the site has not two edges, turns sharply, or is on a small ring.
@@ -159,7 +162,7 @@ impl Draft {
         let amiss: Vec<usize> = (0..self.sites.len()).filter(|&v| self.is_amiss(v)).collect();
         let mut active = vec![false; self.sites.len()];
         self.around(amiss).into_iter().for_each(|v| active[v] = true);
-        let pair = |v: usize, ends: [u32; 2]| cost::site(ends.map(|k| Some(self.end(k, v))));
+        let pair = |v: usize, ends: [u32; 2]| cost::site(ends.map(|k| Some(self.end(k, v))), self.turning);
         let worth = beliefs(&self.net, &self.price, &active, &self.chosen, pair, watch)?;
         let is_open = |k: &usize| self.net.edges[*k].iter().any(|&end| active[end as usize]);
         let mut order: Vec<usize> = (0..worth.len()).filter(is_open).collect();
