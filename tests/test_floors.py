@@ -18,7 +18,7 @@ from sources import face_modules, imports, rust_code, rust_files
 GROUND = {"errors", "record", "arguments", "rng", "extras"}
 TOP = {"compare", "edit", "study", "cli", "__main__", "__init__"}
 # Files of the binding that serve every noun, and the picture formats that belong to the face's files.
-BINDING_FRAME = {"lib", "arrays", "guard", "pages", "png", "tiff"}
+BINDING_FRAME = {"lib", "arrays", "guard", "png", "tiff"}
 # Where the core's word is not the user's: it rasterises what the face renders.
 CORE_WORDS = {"render": "raster"}
 

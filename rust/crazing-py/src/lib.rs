@@ -9,7 +9,6 @@ mod graph;
 mod guard;
 mod maze;
 mod measure;
-mod pages;
 mod png;
 mod region;
 mod render;
@@ -19,9 +18,6 @@ mod texture;
 mod tiff;
 
 use pyo3::prelude::*;
-
-#[global_allocator]
-static ALLOCATOR: pages::HugePages = pages::HugePages;
 
 #[pymodule(gil_used = false)]
 mod _core {
