@@ -23,6 +23,7 @@ KNOBS = {
     "fade": ((0.0, 3.0), {"width_cv": 0.3}, {"width_ratio"}),
     "anisotropy": ((1.0, 3.0), {"orientation": 0.4}, {"t_share", "near_right", "cell_cv"}),
     "falloff": ((0.0, 1.0), {"cell_cv": 0.15}, {"segment_cv", "width_cv", "width_ratio"}),
+    "patchiness": ((0.0, 1.2), {"cell_cv": 0.3, "segment_cv": 0.1}, set()),
 }
 NEAR = {
     "i_nodes": 0.04,

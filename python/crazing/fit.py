@@ -52,6 +52,7 @@ class _Axis:
 
 _AXES = (
     _Axis("relax", 0, 3, 0.3),
+    _Axis("patchiness", 0, 1.6, 0.15),
     _Axis("opening", 0, 1, 0.12),
     _Axis("rounds", 0, 6, 0.2),
     _Axis("pull", 0, 1, 0.3),

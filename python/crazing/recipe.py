@@ -31,6 +31,8 @@ _RANGES: dict[str, tuple[float, float]] = {
     "n": (0, 2**31 - 1),
     "relax": (0, 1000),
     "falloff": (0, 8),
+    "patchiness": (0, 4),
+    "patch": (0.5, 1000),
     "anisotropy": (1, 32),
     "angle": (-360, 360),
     "opening": (0, 1),
@@ -87,6 +89,11 @@ class Recipe:
     falloff : float
         Plates are finer near the source: their density is ``(1 + (d / r)**2)**-falloff`` at a distance d, with r an
         eighth of the smaller side. 0 is even.
+    patchiness : float
+        Standard deviation of the logarithm of the density of plates: finer here, coarser there, as old cracks are.
+        0 is even.
+    patch : float
+        How far across patches are, in spacings.
     anisotropy : float
         Plates are this many times as long, along `angle`, as they are wide.
     angle : float
@@ -169,6 +176,8 @@ class Recipe:
     sampler: str = "uniform"
     relax: int = 0
     falloff: float = 0.0
+    patchiness: float = 0.0
+    patch: float = 4.0
     anisotropy: float = 1.0
     angle: float = 0.0
     tree: str = "depth-first"

@@ -14,14 +14,15 @@ from crazing.diagram import Diagram, as_tiling, bounds_of
 from crazing.drawing import fenced
 from crazing.images import brightness
 from crazing.maze import maze
+from crazing.patches import Patches
 
 if TYPE_CHECKING:
     from crazing.recipe import Recipe
 
 #: Within this part of the smaller side of the bounds about the source plates are finest.
 CORE = 0.125
-#: Pixels of the longer side of a density.
-PIXELS = 192
+#: Pixels of the longer side of a density, and of a patch, as long as that asks for no more than the most.
+PIXELS, A_PATCH, MOST_PIXELS = 192, 6, 2048
 #: A Poisson-disk sample of radius r holds about this many points in an area of r * r.
 PACKED = 0.7
 
@@ -80,12 +81,11 @@ class Site:
                 bend=r.bend,
                 anisotropy=r.anisotropy,
                 angle=r.angle,
-                density=None if self._is_even else (self._pixels(Frame.of(box, 1.0, 0.0)), box),
+                density=None if self._is_even else (self._pixels(Frame.of(box, 1.0, 0.0), seed), box),
                 rng=seed,
                 **where,
             )
-        area = (box[2] - box[0]) * (box[3] - box[1])
-        return drawing, float(np.sqrt(area / max(r.n, 1)))
+        return drawing, _unit((box[2] - box[0]) * (box[3] - box[1]), r.n)
 
     def maze(self, points: ArrayLike | Diagram | None, seed: np.random.Generator) -> tuple[steps.Drawing, float]:
         """The walls of a maze, and the spacing of its plates."""
@@ -147,7 +147,7 @@ class Site:
             middle = np.linalg.inv(frame.matrix) @ (np.array((x, y)) - frame.centre)
             points = draw(n, loc=middle, scale=side / 8, rng=seed)
         elif not self._is_even:
-            points = sample.from_density(self._pixels(frame), n, bounds=box, rng=seed)
+            points = sample.from_density(self._pixels(frame, seed), n, bounds=box, rng=seed)
         elif r.sampler == "poisson-disk":
             sides = (box[2] - box[0], box[3] - box[1])
             radius = float(np.sqrt(PACKED * area / max(n, 1)))
@@ -162,17 +162,25 @@ class Site:
 
     @property
     def _is_even(self) -> bool:
-        return self.density is None and not self.recipe.falloff
+        return self.density is None and not self.recipe.falloff and not self.recipe.patchiness
 
-    def _pixels(self, frame: Frame) -> NDArray[np.float64]:
+    def _pixels(self, frame: Frame, seed: np.random.Generator) -> NDArray[np.float64]:
         """The density over a frame, row 0 at the top."""
         box = np.reshape(frame.box, (2, 2))
         across, high = box[1] - box[0]
-        columns, rows = (max(1, round(PIXELS * side / max(across, high))) for side in (across, high))
+        longer, patch = max(across, high), self.recipe.patch * _unit(frame.area, self.recipe.n)
+        fine = PIXELS
+        if self.recipe.patchiness:
+            fine = min(max(PIXELS, round(A_PATCH * longer / patch)), MOST_PIXELS)
+        columns, rows = (max(1, round(fine * side / longer)) for side in (across, high))
         u = box[0, 0] + across * (np.arange(columns) + 0.5) / columns
         v = box[1, 1] - high * (np.arange(rows) + 0.5) / rows
         places = np.stack(np.meshgrid(u, v), axis=-1) @ frame.matrix.T + frame.centre
-        return np.ascontiguousarray(self._density_at(places, frame.bounds) * self._falloff_at(places, frame.bounds))
+        found = self._density_at(places, frame.bounds) * self._falloff_at(places, frame.bounds)
+        if self.recipe.patchiness:
+            field = Patches.of(patch, self.period, seed).over(u, v, frame.matrix, frame.centre)
+            found = found * _steady(np.exp(self.recipe.patchiness * _steady(field)))
+        return np.ascontiguousarray(found)
 
     def _falloff_at(self, places: NDArray[np.float64], bounds: _Bounds) -> Any:
         (x, y), side = self.centre(bounds)
@@ -238,6 +246,11 @@ class Frame:
 def _steady(values: Any) -> Any:
     """`values` without their last bits, in which platforms differ."""
     return np.rint(np.asarray(values) * 2.0**40) / 2.0**40
+
+
+def _unit(area: float, n: int) -> float:
+    """The spacing of `n` plates on an area."""
+    return float(np.sqrt(area / max(n, 1)))
 
 
 def _spacing(diagram: Diagram) -> float:

@@ -135,6 +135,8 @@ _FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
     "sampler": ("Spread", (0, 0, 0), ""),
     "relax": ("Relaxation", (0, 10, 1), "Rounds that make plates alike"),
     "falloff": ("Falloff", (0, 8, 0.1), "Finer plates near the middle"),
+    "patchiness": ("Patchiness", (0, 2, 0.05), "Finer plates here, coarser ones there"),
+    "patch": ("Patch", (1, 20, 0.5), "Across a patch, in spacings"),
     "anisotropy": ("Stretch", (0.1, 10, 0.1), "Of plates, along the angle"),
     "angle": ("Angle", (-180, 180, 1), "Degrees"),
     "tree": ("Tree", (0, 0, 0), ""),
@@ -166,7 +168,7 @@ _FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
 }
 _WORDS = {"generator": GENERATORS, "sampler": SAMPLERS, "tree": TREES}
 _FIRST = ("opening", "rounds", "roughness", "thickness", "hierarchy", "taper")
-_OWN = ("n", "sampler", "relax", "falloff")
+_OWN = ("n", "sampler", "relax", "falloff", "patchiness", "patch")
 _ONLY = {
     **dict.fromkeys(("tree", "opening", "relax", "sampler", "hairpin"), "generator:maze"),
     **dict.fromkeys(("jitter", "bend"), "generator:splitting"),
