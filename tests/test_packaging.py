@@ -142,3 +142,7 @@ def test_no_machine_path_or_registry_host_is_committed(root: Path) -> None:
             continue
         text = path.read_bytes().decode("utf-8", "ignore")
         assert not pattern.search(text), f"{name}: {pattern.search(text)}"
+
+
+def test_completion_shows_what_is_public() -> None:
+    assert set(dir(cz)) == set(cz.__all__)

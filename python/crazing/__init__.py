@@ -84,3 +84,8 @@ __all__ = [
     "texture_plan",
     "write_texture",
 ]
+
+
+def __dir__() -> list[str]:
+    """What is public: the rooms inside are not for completion."""
+    return __all__
