@@ -32,14 +32,11 @@ class Writer:
         library: Any = self.library
         whole = 0
         try:
-            array = library.open_array(store=str(self.path), mode="r")
-            for state in states:
-                rows = array[whole * self.band : (whole + 1) * self.band]
-                if zlib.crc32(np.ascontiguousarray(rows).data) != state["sum"]:
-                    break
-                whole += 1
+            library.open_array(store=str(self.path), mode="r")
         except Exception:  # A damaged store raises whatever its parsing runs into: then it is written anew.
             return whole
+        while whole < len(states) and self._sum(whole) == states[whole]["sum"]:
+            whole += 1
         return whole
 
     def begin(self, states: list[State]) -> None:
@@ -64,6 +61,8 @@ class Writer:
                 cname="lz4", clevel=1, shuffle="shuffle", typesize=self.dtype.itemsize
             ),
             dimension_names=("y", "x", "channel")[: len(self.shape)],
+            # Else every chunk is looked at for whether it is empty, which takes as long as packing it.
+            config={"write_empty_chunks": True},
             attributes={KEY: dict(self.about.record), "density": list(self.about.density)},
         )
 
@@ -71,8 +70,17 @@ class Writer:
         """Fill the next rows."""
         samples = np.ascontiguousarray(samples)
         self.array[self.row : self.row + len(samples)] = samples
+        band = self.row // self.band
         self.row += len(samples)
-        return {"row": self.row, "sum": zlib.crc32(samples.data)}
+        return {"row": self.row, "sum": self._sum(band)}
+
+    def _sum(self, band: int) -> int:
+        """The checksum of the files of a band: they are far smaller than what is in them."""
+        total = 0
+        for path in sorted((self.path / "c" / str(band)).rglob("*")):
+            if path.is_file():
+                total = zlib.crc32(path.read_bytes(), zlib.crc32(path.name.encode(), total))
+        return total
 
     def finish(self) -> None:
         """Nothing is left to do."""
