@@ -1,8 +1,11 @@
 //! From the nearest piece of every pixel to the maps, row by row of a page.
 
+use std::ops::Range;
+
 use super::grid::UNIT;
+use super::labels::Labels;
 use super::look::Place;
-use super::maps::Maps;
+use super::maps::{Line, Maps};
 use super::near::{BEHIND_END, BEHIND_START, CODES, RIGHT};
 use super::nearest::{PAGE, Page, Set};
 use super::noise::Value;
@@ -10,15 +13,29 @@ use super::piece::Piece;
 use super::plates::Plate;
 use super::scene::Scene;
 
-/// The part of a page that lies in a window's band.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Part {
+/// A page as a part of its run.
+#[derive(Debug)]
+pub(super) struct Leaf {
+    pub(super) page: Page,
+    pub(super) labels: Labels,
     /// The first pixel, from the top left corner of the picture.
     pub(super) corner: [i64; 2],
-    /// The first pixel within the band.
-    pub(super) at: [usize; 2],
+    /// The first column within the run.
+    pub(super) at: usize,
+    pub(super) width: usize,
+    /// Whether all its pixels are beyond reach of any crack.
+    pub(super) is_level: bool,
+}
+
+/// Pages beside each other, whose rows are written together.
+pub(super) struct Run<'a> {
+    pub(super) leaves: &'a mut [Leaf],
+    /// The first column within the window.
+    pub(super) left: usize,
     pub(super) width: usize,
     pub(super) height: usize,
+    /// The coverage of the band, where it is known.
+    pub(super) mask: Option<&'a [u8]>,
 }
 
 /// One row of a page.
@@ -29,8 +46,10 @@ pub(super) struct Row<'a> {
     pub(super) y: usize,
     /// Its first pixel, from the top left corner of the picture.
     pub(super) corner: [i64; 2],
-    /// Where it starts in the maps of the band.
+    /// Where it starts in the rows of its run.
     pub(super) start: usize,
+    /// How much of its pixels is covered, where that is known.
+    mask: Option<&'a [u8]>,
     pub(super) distance: &'a [f32],
     pub(super) code: &'a [u32],
 }
@@ -41,24 +60,13 @@ pub(super) struct Rows {
     pub(super) grain: Vec<Value>,
     pub(super) mottle: Vec<Value>,
     pub(super) chip: Vec<Value>,
-    /// The plate of every code of the page, where it is known.
-    pub(super) cells: Vec<i32>,
-    /// The strand and the generation of every piece of the page, where they are wanted.
-    pub(super) strands: Vec<i32>,
-    pub(super) generations: Vec<i32>,
+    pub(super) line: Line,
 }
 
 impl Rows {
     pub(super) fn new() -> Self {
         let row = || vec![Value::default(); PAGE];
-        Self {
-            grain: row(),
-            mottle: row(),
-            chip: row(),
-            cells: Vec::new(),
-            strands: Vec::new(),
-            generations: Vec::new(),
-        }
+        Self { grain: row(), mottle: row(), chip: row(), line: Line::default() }
     }
 }
 
@@ -93,44 +101,67 @@ pub(super) fn stretch<'b, T>(map: &'b mut Option<&mut [T]>, row: &Row<'_>, chann
 }
 
 impl Scene<'_> {
-    /// Writes the part of a page into a band of the window.
+    /// Writes the rows of a run into a band of the window.
     #[inline(always)]
-    pub(super) fn finish(&self, set: &Set, page: &Page, part: Part, rows: &mut Rows, maps: &mut Maps<'_>) {
-        self.turn(set, page, rows, maps);
-        for y in 0..part.height {
-            let at = y * PAGE..y * PAGE + part.width;
-            let corner = [part.corner[0], part.corner[1] + y as i64];
-            let start = (part.at[1] + y) * self.window.width + part.at[0];
-            let (distance, code) = (&page.distance[at.clone()], &page.code[at]);
-            let row = Row { set, page, y, corner, start, distance, code };
-            if let Some(out) = stretch(&mut maps.distance, &row, 1) {
-                out.iter_mut().zip(row.distance).for_each(|(out, distance)| *out = distance * self.data);
+    pub(super) fn finish(&self, run: Run<'_>, rows: &mut Rows, maps: &mut Maps<'_>) {
+        let Run { leaves, left, width, height, mask } = run;
+        for Leaf { page, labels, .. } in leaves.iter_mut().filter(|leaf| !leaf.is_level) {
+            self.turn(self.set(page.level), page, labels, maps);
+        }
+        let all_level = leaves.iter().all(|leaf| leaf.is_level);
+        let mut line = std::mem::take(&mut rows.line);
+        for y in 0..height {
+            let start = y * self.window.width + left;
+            let mask = mask.map(|mask| &mask[start..start + width]);
+            // What is level all over is written once, and copied to every row.
+            if y == 0 || !all_level {
+                let mut out = line.maps();
+                // Not `for_each`, which is compiled apart, for any processor.
+                for leaf in leaves.iter_mut() {
+                    self.row(leaf, y, mask, rows, &mut out);
+                }
             }
-            self.labels(&row, rows, maps);
-            if self.wants.profile || self.wants.look {
-                self.noises(corner, part.width, rows);
-            }
-            if self.wants.profile {
-                self.relief(&row, rows, maps);
-            }
-            if self.wants.look {
-                self.tones(&row, rows, maps);
-            }
+            maps.put(start, width, &line);
+        }
+        rows.line = line;
+    }
+
+    /// Writes a row of a page.
+    #[inline(always)]
+    fn row(&self, leaf: &mut Leaf, y: usize, mask: Option<&[u8]>, rows: &mut Rows, maps: &mut Maps<'_>) {
+        let Leaf { page, labels, corner, at, width, is_level } = leaf;
+        let (start, width) = (*at, *width);
+        if *is_level {
+            return self.level(start..start + width, maps);
+        }
+        let own = y * PAGE..y * PAGE + width;
+        let (distance, code) = (&page.distance[own.clone()], &page.code[own]);
+        let corner = [corner[0], corner[1] + y as i64];
+        let mask = mask.map(|mask| &mask[start..start + width]);
+        let row = Row { set: self.set(page.level), page, y, corner, start, mask, distance, code };
+        if let Some(out) = stretch(&mut maps.distance, &row, 1) {
+            out.iter_mut().zip(row.distance).for_each(|(out, distance)| *out = distance * self.data);
+        }
+        self.labels(&row, labels, maps);
+        if self.wants.profile || self.wants.look {
+            self.noises(corner, width, rows);
+        }
+        if self.wants.profile {
+            self.relief(&row, rows, maps);
+        }
+        if self.wants.look {
+            self.tones(&row, rows, maps);
         }
     }
 
-    /// Writes a part without any crack of a picture whose plates are all alike.
-    pub(super) fn level(&self, part: Part, maps: &mut Maps<'_>) {
-        for y in 0..part.height {
-            let start = (part.at[1] + y) * self.window.width + part.at[0];
-            let row = start..start + part.width;
-            let at = |channels: usize| channels * row.start..channels * row.end;
-            maps.height.iter_mut().for_each(|map| map[at(1)].fill(self.profile.top));
-            maps.normal.iter_mut().for_each(|map| map[at(3)].as_chunks_mut().0.fill([0.0, 0.0, 1.0]));
-            maps.ao.iter_mut().for_each(|map| map[at(1)].fill(1.0));
-            maps.strand.iter_mut().for_each(|map| map[at(1)].fill(-1));
-            maps.generation.iter_mut().for_each(|map| map[at(1)].fill(-1));
-        }
+    /// Writes a part of a row, beyond reach of any crack, of a picture whose plates are all alike.
+    fn level(&self, row: Range<usize>, maps: &mut Maps<'_>) {
+        let at = |channels: usize| channels * row.start..channels * row.end;
+        maps.height.iter_mut().for_each(|map| map[at(1)].fill(self.profile.top));
+        maps.normal.iter_mut().for_each(|map| map[at(3)].as_chunks_mut().0.fill([0.0, 0.0, 1.0]));
+        maps.ao.iter_mut().for_each(|map| map[at(1)].fill(1.0));
+        maps.strand.iter_mut().for_each(|map| map[at(1)].fill(-1));
+        maps.generation.iter_mut().for_each(|map| map[at(1)].fill(-1));
     }
 
     fn noises(&self, corner: [i64; 2], width: usize, rows: &mut Rows) {
@@ -182,7 +213,7 @@ impl Scene<'_> {
         let tinted = self.look.tint != 0.0;
         for (x, &distance) in row.distance.iter().enumerate() {
             let distance = self.chipped(distance, rows.chip[x].value);
-            let covered = maps.mask.as_ref().map_or(0.0, |mask| f32::from(mask[row.start + x]) / 255.0);
+            let covered = row.mask.map_or(0.0, |mask| f32::from(mask[x]) / 255.0);
             let chipped = unit(0.5 - distance);
             let crack = if self.chip_depth > 0.0 && chipped > covered { chipped } else { covered };
             let tint = if tinted { self.plate(row, x).map_or(0.0, |(plate, _)| plate.tint) } else { 0.0 };

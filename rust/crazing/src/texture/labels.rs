@@ -1,7 +1,7 @@
 //! Maps of labels: the plate of every pixel, and of those on the crack the strand and its generation.
 
 use super::fans::Fans;
-use super::finish::{Row, Rows, behind, stretch};
+use super::finish::{Row, behind, stretch};
 use super::grid::{PART, UNIT};
 use super::maps::Maps;
 use super::near::{BEHIND_START, CODES, RIGHT};
@@ -26,13 +26,24 @@ pub(super) const REACH: f32 = 0.5;
 const BLUR: f32 = 1.0 / 64.0;
 const LONG: f32 = 4096.0;
 
+/// The labels of a page's pieces.
+#[derive(Debug, Default)]
+pub(super) struct Labels {
+    /// The plate of every code of the page, where it is known.
+    cells: Vec<i32>,
+    /// The strand and the generation of every piece of the page, where they are wanted.
+    strands: Vec<i32>,
+    generations: Vec<i32>,
+}
+
 impl Scene<'_> {
-    /// Forgets the plates of the last page, and looks up the labels of this one.
+    /// Looks up the labels of a page, and forgets the plates of the last one.
     #[inline(always)]
-    pub(super) fn turn(&self, set: &Set, page: &Page, rows: &mut Rows, maps: &Maps<'_>) {
+    pub(super) fn turn(&self, set: &Set, page: &Page, labels: &mut Labels, maps: &Maps<'_>) {
+        let Labels { cells, strands, generations } = labels;
         let labels = [
-            (&mut rows.strands, self.pattern.strand, maps.strand.is_some()),
-            (&mut rows.generations, self.pattern.generation, maps.generation.is_some()),
+            (strands, self.pattern.strand, maps.strand.is_some()),
+            (generations, self.pattern.generation, maps.generation.is_some()),
         ];
         for (labels, given, wanted) in labels {
             labels.clear();
@@ -40,20 +51,20 @@ impl Scene<'_> {
                 labels.extend(page.ids.iter().map(|&id| given[set.pieces[id as usize].edge as usize]));
             }
         }
-        rows.cells.clear();
+        cells.clear();
         // A lone plate has the number 0.
         if self.wants.cell && self.sides.reaches.len() > 1 {
-            rows.cells.resize(page.ids.len() * CODES as usize, UNKNOWN);
+            cells.resize(page.ids.len() * CODES as usize, UNKNOWN);
         }
     }
 
     /// Writes the labels of a row.
     #[inline(always)]
-    pub(super) fn labels(&self, row: &Row<'_>, rows: &mut Rows, maps: &mut Maps<'_>) {
+    pub(super) fn labels(&self, row: &Row<'_>, labels: &mut Labels, maps: &mut Maps<'_>) {
         if let Some(out) = stretch(&mut maps.cell, row, 1) {
-            self.plates_of(row, &mut rows.cells, out);
+            self.plates_of(row, &mut labels.cells, out);
         }
-        let labels = [(&mut maps.strand, &rows.strands), (&mut maps.generation, &rows.generations)];
+        let labels = [(&mut maps.strand, &labels.strands), (&mut maps.generation, &labels.generations)];
         for (map, labels) in labels {
             let Some(out) = stretch(map, row, 1) else { continue };
             if labels.is_empty() {

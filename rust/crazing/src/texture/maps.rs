@@ -32,6 +32,33 @@ macro_rules! maps {
                 })*
                 bands
             }
+
+            /// Copies a row of some pixels, of which the first is the one numbered `start`.
+            pub(super) fn put(&mut self, start: usize, width: usize, line: &Line) {
+                $(if let Some(map) = &mut self.$name {
+                    map[start * $channels..(start + width) * $channels].copy_from_slice(&line.$name[..width * $channels]);
+                })*
+            }
+        }
+
+        /// A row of every wanted map on its way to memory.
+        #[derive(Debug, Default)]
+        pub(super) struct Line {
+            $($name: Vec<$kind>,)*
+        }
+
+        impl Line {
+            /// As long as the rows of the wanted maps are to be.
+            pub(super) fn resize(&mut self, wanted: &Maps<'_>, width: usize) {
+                $(if wanted.$name.is_some() {
+                    self.$name.resize(width * $channels, Default::default());
+                })*
+            }
+
+            /// The row as maps that are one row high.
+            pub(super) fn maps(&mut self) -> Maps<'_> {
+                Maps { $($name: Some(&mut self.$name[..]).filter(|map| !map.is_empty()),)* }
+            }
         }
     };
 }

@@ -32,6 +32,8 @@ pub(super) struct Set {
 /// Nearest pieces of a page of pixels.
 #[derive(Debug)]
 pub(super) struct Page {
+    /// Which of the scene's sets they are of.
+    pub(super) level: usize,
     /// Rows of [`PAGE`] pixels: signed distance, pixels.
     pub(super) distance: Vec<f32>,
     /// [`CODES`] times the place of the nearest piece in `ids`, and where the pixel lies beside it.
@@ -45,7 +47,6 @@ pub(super) struct Page {
 /// Buffers of one thread.
 #[derive(Debug)]
 pub(super) struct Search {
-    pub(super) page: Page,
     /// The last square for which a piece was looked at.
     stamps: Vec<u32>,
     stamp: u32,
@@ -57,14 +58,12 @@ pub(super) struct Search {
 impl Search {
     /// Empty buffers.
     pub(super) fn new() -> Self {
-        let (distance, code) = (vec![0.0; PAGE * PAGE], vec![0; PAGE * PAGE]);
-        let page = Page { distance, code, ids: Vec::new(), near: Vec::new() };
-        Self { page, stamps: Vec::new(), stamp: 0, found: Vec::new(), squares: Squares::default() }
+        Self { stamps: Vec::new(), stamp: 0, found: Vec::new(), squares: Squares::default() }
     }
 
     /// Finds the pieces that may be nearest in the page whose top left pixel is given, for pixels
     /// nearer to the crack than `reach`; false if the region of the bins is too small to tell.
-    pub(super) fn open(&mut self, set: &Set, corner: [i64; 2], reach: f32) -> bool {
+    pub(super) fn open(&mut self, page: &mut Page, set: &Set, corner: [i64; 2], reach: f32) -> bool {
         let Set { pieces, bins, whole } = set;
         self.stamps.resize(pieces.len().max(self.stamps.len()), 0);
         self.stamp += 1;
@@ -74,7 +73,7 @@ impl Search {
         let of = bins.of(corner, PAGE as i64);
         let farthest = bins.farthest(of, pieces);
         if farthest < f32::INFINITY {
-            return self.collect(set, of, if farthest < reach { farthest } else { reach });
+            return self.collect(page, set, of, if farthest < reach { farthest } else { reach });
         }
         let (mut best, mut ring) = (f32::INFINITY, 0);
         loop {
@@ -102,18 +101,18 @@ impl Search {
             }
         }
         let limit = limit(best, PAGE, reach);
-        self.page.ids.clear();
-        self.page.ids.extend(self.found.iter().filter(|&&(_, distance)| distance <= limit).map(|&(id, _)| id));
-        self.page.ids.sort_unstable();
+        page.ids.clear();
+        page.ids.extend(self.found.iter().filter(|&&(_, distance)| distance <= limit).map(|&(id, _)| id));
+        page.ids.sort_unstable();
         true
     }
 
     /// Takes all pieces from the bins of a page and as many rings around them as may hold what is nearer than
     /// `farthest` to one of its pixels; false if the region of the bins is too small for that.
-    fn collect(&mut self, set: &Set, of: [i64; 4], farthest: f32) -> bool {
+    fn collect(&mut self, page: &mut Page, set: &Set, of: [i64; 4], farthest: f32) -> bool {
         let Set { bins, whole, .. } = set;
         let (mut ring, farthest) = (0, widened(farthest));
-        let Self { page, stamps, stamp, .. } = self;
+        let Self { stamps, stamp, .. } = self;
         page.ids.clear();
         loop {
             bins.ring(of, ring, |ids| {
@@ -139,14 +138,13 @@ impl Search {
         true
     }
 
-    /// Fills the first `size` pixels of the page, across and down, with the nearest pieces of the square opened last.
+    /// Fills the first `size` pixels of a page, across and down, with the nearest of the pieces it was opened for.
     #[inline(always)]
-    pub(super) fn fill(&mut self, set: &Set, corner: [i64; 2], size: [usize; 2], reach: f32) {
-        let Self { page, squares, .. } = self;
+    pub(super) fn fill(&mut self, page: &mut Page, set: &Set, corner: [i64; 2], size: [usize; 2], reach: f32) {
         let [x, y] = both(|axis| corner[axis] * UNIT);
         page.near.clear();
         if page.see(&set.pieces, [x, y]) {
-            squares.solve(page, size, reach);
+            self.squares.solve(page, size, reach);
         } else {
             page.fill_far(&set.pieces, [x, y], size);
         }
@@ -154,6 +152,11 @@ impl Search {
 }
 
 impl Page {
+    pub(super) fn new() -> Self {
+        let (distance, code) = (vec![0.0; PAGE * PAGE], vec![0; PAGE * PAGE]);
+        Self { level: 0, distance, code, ids: Vec::new(), near: Vec::new() }
+    }
+
     /// Looks at the candidates from a corner; false if one is too far away.
     fn see(&mut self, pieces: &[Piece], [x, y]: [i64; 2]) -> bool {
         let fits = |&id: &u32| {

@@ -1,91 +1,129 @@
-//! A window band by band, and these page by page.
+//! A window band by band, these run by run, and these page by page.
 
 use pulp::{Simd, WithSimd};
 
 use super::BAND;
 use super::around::around;
 use super::coverage::Ink;
-use super::finish::{Part, Rows};
+use super::finish::{Leaf, Rows, Run};
+use super::labels::Labels;
 use super::maps::Maps;
-use super::nearest::{PAGE, Search, Set};
+use super::nearest::{PAGE, Page, Search, Set};
 use super::scene::Scene;
 use crate::crew::Poll;
 use crate::error::{Error, Result};
 
+/// Pages of a run at most. Their rows go to memory in one piece each: for long ones the system has faster ways than to
+/// read what is going to be written over.
+const RUN: usize = 32;
+
 /// The buffers of one thread.
 pub(super) struct Hand {
     search: Search,
+    leaves: Vec<Leaf>,
     rows: Rows,
     mask: Vec<u8>,
 }
 
 impl Hand {
     pub(super) fn new() -> Self {
-        Self { search: Search::new(), rows: Rows::new(), mask: Vec::new() }
+        Self { search: Search::new(), leaves: Vec::new(), rows: Rows::new(), mask: Vec::new() }
     }
 }
 
 impl Scene<'_> {
     /// Writes one band of the window.
-    pub(super) fn band(&self, band: usize, maps: Maps<'_>, hand: &mut Hand, poll: Poll<'_>) -> Result<()> {
-        let height = BAND.min(self.window.height - band * BAND);
-        let Hand { search, rows, mask } = hand;
-        let mut maps = maps;
-        if maps.mask.is_none() && self.wants.look {
-            mask.resize(self.window.width * BAND, 0);
-            maps.mask = Some(&mut mask[..self.window.width * height]);
+    pub(super) fn band(&self, band: usize, mut maps: Maps<'_>, hand: &mut Hand, poll: Poll<'_>) -> Result<()> {
+        let (width, height) = (self.window.width, BAND.min(self.window.height - band * BAND));
+        let Hand { search, leaves, rows, mask } = hand;
+        let mut covered: Option<&mut [u8]> = maps.mask.take();
+        if covered.is_none() && self.wants.look {
+            mask.resize(width * BAND, 0);
+            covered = Some(&mut mask[..width * height]);
         }
         let corner = [self.window.left, self.window.top + (band * BAND) as i64];
-        if let Some(mask) = &mut maps.mask {
+        if let Some(mask) = &mut covered {
             mask.fill(0);
             for (pieces, ids) in self.covering(band) {
-                self.arch.dispatch(Ink { pieces, ids, corner, width: self.window.width, rows: mask });
+                self.arch.dispatch(Ink { pieces, ids, corner, width, rows: mask });
             }
         }
         if !self.wants.nearest() {
             return Ok(());
         }
-        for y in (0..height).step_by(PAGE) {
-            for x in (0..self.window.width).step_by(PAGE) {
+        rows.line.resize(&maps, width.min(RUN * PAGE));
+        leaves.resize_with(width.div_ceil(PAGE).min(RUN), Leaf::new);
+        for left in (0..width).step_by(RUN * PAGE) {
+            let width = (width - left).min(RUN * PAGE);
+            let leaves = &mut leaves[..width.div_ceil(PAGE)];
+            for (at, leaf) in (0..).step_by(PAGE).zip(leaves.iter_mut()) {
                 poll()?;
-                let first = [corner[0] + x as i64, corner[1] + y as i64];
-                let part = Part {
-                    corner: first,
-                    at: [x, y],
-                    width: PAGE.min(self.window.width - x),
-                    height: PAGE.min(height - y),
-                };
-                self.page(part, search, rows, &mut maps)?;
+                leaf.at = at;
+                leaf.corner = [corner[0] + (left + at) as i64, corner[1]];
+                leaf.width = PAGE.min(width - at);
+                self.page(leaf, height, search)?;
             }
+            let run = Run { leaves, left, width, height, mask: covered.as_deref() };
+            self.arch.dispatch(Draw { scene: self, run, rows, maps: &mut maps });
         }
         Ok(())
     }
 
-    /// Writes the part of the window that a page holds.
-    fn page(&self, part: Part, search: &mut Search, rows: &mut Rows, maps: &mut Maps<'_>) -> Result<()> {
-        let (mut set, mut level) = (&self.near, 0);
-        while !search.open(set, part.corner, self.reach) {
-            let far = self.far.get(level).ok_or(Error::Internal("no end of the surroundings"))?;
-            level += 1;
-            let wider = || around(&self.pattern, &self.grid, self.window, level as u32);
+    /// Finds the nearest pieces of a page.
+    fn page(&self, leaf: &mut Leaf, height: usize, search: &mut Search) -> Result<()> {
+        let (mut set, page) = (&self.near, &mut leaf.page);
+        page.level = 0;
+        while !search.open(page, set, leaf.corner, self.reach) {
+            let far = self.far.get(page.level).ok_or(Error::Internal("no end of the surroundings"))?;
+            page.level += 1;
+            let wider = || around(&self.pattern, &self.grid, self.window, page.level as u32);
             set = far.get_or_init(wider).as_ref().map_err(Clone::clone)?;
         }
-        if self.reach < f32::INFINITY && search.page.ids.is_empty() {
-            self.level(part, maps);
-        } else {
-            self.arch.dispatch(Draw { scene: self, set, part, search, rows, maps });
+        leaf.is_level = self.reach < f32::INFINITY && page.ids.is_empty();
+        if !leaf.is_level {
+            let (corner, size) = (leaf.corner, [leaf.width, height]);
+            self.arch.dispatch(Fill { search, page, set, corner, size, reach: self.reach });
         }
         Ok(())
+    }
+
+    /// The pieces of that level of surroundings, of which a page was found to be.
+    pub(super) fn set(&self, level: usize) -> &Set {
+        let far = level.checked_sub(1).and_then(|far| self.far.get(far)?.get()?.as_ref().ok());
+        far.unwrap_or(&self.near)
     }
 }
 
-/// A page that is to be drawn: compiled once for any processor, and once for those that do twice as many numbers at a
-/// time, to the same bits.
+impl Leaf {
+    fn new() -> Self {
+        Self { page: Page::new(), labels: Labels::default(), corner: [0; 2], at: 0, width: 0, is_level: false }
+    }
+}
+
+/// A page whose nearest pieces are to be found: compiled once for any processor, and once for those that do twice as
+/// many numbers at a time, to the same bits.
+struct Fill<'a> {
+    search: &'a mut Search,
+    page: &'a mut Page,
+    set: &'a Set,
+    corner: [i64; 2],
+    size: [usize; 2],
+    reach: f32,
+}
+
+impl WithSimd for Fill<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.search.fill(self.page, self.set, self.corner, self.size, self.reach);
+    }
+}
+
+/// A run that is to be written, likewise.
 struct Draw<'a, 'b, 'c> {
     scene: &'a Scene<'b>,
-    set: &'a Set,
-    part: Part,
-    search: &'a mut Search,
+    run: Run<'a>,
     rows: &'a mut Rows,
     maps: &'a mut Maps<'c>,
 }
@@ -95,8 +133,6 @@ impl WithSimd for Draw<'_, '_, '_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Part { corner, width, height, .. } = self.part;
-        self.search.fill(self.set, corner, [width, height], self.scene.reach);
-        self.scene.finish(self.set, &self.search.page, self.part, self.rows, self.maps);
+        self.scene.finish(self.run, self.rows, self.maps);
     }
 }
