@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use pulp::Simd;
+
 use super::grid::UNIT;
 use super::labels::Labels;
 use super::look::Place;
@@ -103,7 +105,7 @@ pub(super) fn stretch<'b, T>(map: &'b mut Option<&mut [T]>, row: &Row<'_>, chann
 impl Scene<'_> {
     /// Writes the rows of a run into a band of the window.
     #[inline(always)]
-    pub(super) fn finish(&self, run: Run<'_>, rows: &mut Rows, maps: &mut Maps<'_>) {
+    pub(super) fn finish<S: Simd>(&self, simd: S, run: Run<'_>, rows: &mut Rows, maps: &mut Maps<'_>) {
         let Run { leaves, left, width, height, mask } = run;
         for Leaf { page, labels, .. } in leaves.iter_mut().filter(|leaf| !leaf.is_level) {
             self.turn(self.set(page.level), page, labels, maps);
@@ -118,7 +120,7 @@ impl Scene<'_> {
                 let mut out = line.maps();
                 // Not `for_each`, which is compiled apart, for any processor.
                 for leaf in leaves.iter_mut() {
-                    self.row(leaf, y, mask, rows, &mut out);
+                    self.row(simd, leaf, y, mask, rows, &mut out);
                 }
             }
             maps.put(start, width, &line);
@@ -128,7 +130,15 @@ impl Scene<'_> {
 
     /// Writes a row of a page.
     #[inline(always)]
-    fn row(&self, leaf: &mut Leaf, y: usize, mask: Option<&[u8]>, rows: &mut Rows, maps: &mut Maps<'_>) {
+    fn row<S: Simd>(
+        &self,
+        simd: S,
+        leaf: &mut Leaf,
+        y: usize,
+        mask: Option<&[u8]>,
+        rows: &mut Rows,
+        maps: &mut Maps<'_>,
+    ) {
         let Leaf { page, labels, corner, at, width, is_level } = leaf;
         let (start, width) = (*at, *width);
         if *is_level {
@@ -147,7 +157,7 @@ impl Scene<'_> {
             self.noises(corner, width, rows);
         }
         if self.wants.profile {
-            self.relief(&row, rows, maps);
+            self.relief(simd, &row, rows, maps);
         }
         if self.wants.look {
             self.tones(&row, rows, maps);

@@ -7,6 +7,7 @@
 
 mod around;
 mod bands;
+mod beneath;
 mod bins;
 mod coverage;
 mod cut;
@@ -16,6 +17,7 @@ mod fans;
 mod finish;
 mod grid;
 mod labels;
+mod lanes;
 mod look;
 mod maps;
 mod material;

@@ -132,7 +132,7 @@ impl WithSimd for Draw<'_, '_, '_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        self.scene.finish(self.run, self.rows, self.maps);
+    fn with_simd<S: Simd>(self, simd: S) {
+        self.scene.finish(simd, self.run, self.rows, self.maps);
     }
 }

@@ -1,6 +1,7 @@
 //! A short tapered piece of an edge on the grid of pixels.
 
 use super::grid::{PART, UNIT, both, ceil, round};
+use super::lanes::Number;
 
 /// A rectangle in parts of a pixel: xmin, ymin, xmax, ymax.
 pub(super) type Region = [i64; 4];
@@ -89,42 +90,41 @@ impl Piece {
     /// Among the discs at `s` along the middle line, `hypot(t - s, n) - radius(s)` is convex in `s` and least at
     /// `t + lean |n|`, where the foot of the pixel is at `t` along and `n` beside the line.
     #[inline(always)]
-    pub(super) fn foot(&self, dx: f32, dy: f32) -> Foot {
+    pub(super) fn foot(&self, dx: f32, dy: f32) -> Foot<f32> {
         Foot::new(dx, dy, self.along, self.length, [self.radius, self.slope], self.lean)
     }
 }
 
 /// A pixel seen from the nearest disc of a piece.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Foot {
+pub(super) struct Foot<N> {
     /// Where the disc would be if the piece had no ends.
-    pub(super) raw: f32,
+    pub(super) raw: N,
     /// Where the disc is along the piece.
-    pub(super) s: f32,
+    pub(super) s: N,
     /// How far ahead of the disc's centre the pixel is.
-    pub(super) ahead: f32,
+    pub(super) ahead: N,
     /// How far beside the middle line it is: positive to the left, as one looks along the piece, y up.
-    pub(super) side: f32,
+    pub(super) side: N,
     /// Distance to the disc's centre.
-    pub(super) centre: f32,
+    pub(super) centre: N,
     /// The disc's radius.
-    pub(super) radius: f32,
+    pub(super) radius: N,
     /// `centre - radius`.
-    pub(super) distance: f32,
+    pub(super) distance: N,
 }
 
-impl Foot {
+impl<N: Number> Foot<N> {
     /// The foot of a place, from the start of a piece that is known by its numbers.
     #[inline(always)]
-    pub(super) fn new(dx: f32, dy: f32, [u, v]: [f32; 2], length: f32, widths: [f32; 2], lean: f32) -> Self {
+    pub(super) fn new(dx: N, dy: N, [u, v]: [N; 2], length: N, widths: [N; 2], lean: N) -> Self {
         let t = dx * u + dy * v;
         let side = dx * v - dy * u;
-        let n = side.abs();
+        let n = side.size();
         let raw = t + lean * n;
-        let s = if raw < 0.0 { 0.0 } else { raw };
-        let s = if s > length { length } else { s };
+        let s = raw.at_least(raw.like(0.0)).at_most(length);
         let ahead = t - s;
-        let centre = (ahead * ahead + n * n).sqrt();
+        let centre = (ahead * ahead + n * n).root();
         let radius = widths[0] + widths[1] * s;
         Self { raw, s, ahead, side, centre, radius, distance: centre - radius }
     }

@@ -1,5 +1,6 @@
 //! Height across a crack and its rims, with its exact slope.
 
+use super::lanes::Number;
 use super::material::Material;
 
 /// The profile in pixels.
@@ -25,12 +26,12 @@ pub(super) struct Profile {
 
 /// A height and how it changes with the distance to the crack and with the crack's radius.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Height {
-    pub(super) height: f32,
-    pub(super) by_distance: f32,
-    pub(super) by_radius: f32,
+pub(super) struct Height<N> {
+    pub(super) height: N,
+    pub(super) by_distance: N,
+    pub(super) by_radius: N,
     /// How it changes with the plate's own height.
-    pub(super) by_plate: f32,
+    pub(super) by_plate: N,
 }
 
 impl Profile {
@@ -60,39 +61,43 @@ impl Profile {
     /// The height at a signed distance from a crack of that radius, where the plate lies `plate` above its usual
     /// level and curls by `curl`.
     #[inline(always)]
-    pub(super) fn at(&self, distance: f32, radius: f32, plate: f32, curl: f32) -> Height {
-        let level = self.top + plate;
-        let (beside, beside_by_distance) = self.beside(distance, plate, curl);
-        let edge = level - self.rim + curl;
-        let (share, by_share) = root_of_share(radius * self.widest);
-        let bottom = self.top - self.depth * share;
+    pub(super) fn at<N: Number>(&self, distance: N, radius: N, plate: N, curl: N) -> Height<N> {
+        let (zero, one) = (distance.like(0.0), distance.like(1.0));
+        let level = distance.like(self.top) + plate;
+        let beside = self.beside(distance, plate, curl);
+        let edge = level - distance.like(self.rim) + curl;
+        let (share, by_share) = root_of_share(radius * distance.like(self.widest));
+        let bottom = distance.like(self.top) - distance.like(self.depth) * share;
         // Chips reach beyond the middle of thin cracks: there the floor is level.
-        let slanting = -distance < radius;
-        let (u, inverse) = (-distance / radius, 1.0 / radius);
-        let (u, inverse) = (if slanting { u } else { 1.0 }, if slanting { inverse } else { 0.0 });
-        let rest = 1.0 - u;
+        let slanting = (-distance).is_below(radius);
+        let (u, inverse) = ((-distance / radius).where_(slanting, one), (one / radius).where_(slanting, zero));
+        let rest = one - u;
         let rest_cubed = rest * rest * rest;
-        let wall = (1.0 - self.roundness) * u + self.roundness * (1.0 - rest_cubed * rest);
-        let by_u = (1.0 - self.roundness) + 4.0 * self.roundness * rest_cubed;
+        let (straight, round) = (distance.like(1.0 - self.roundness), distance.like(self.roundness));
+        let wall = straight * u + round * (one - rest_cubed * rest);
+        let by_u = straight + distance.like(4.0 * self.roundness) * rest_cubed;
         let fall = bottom - edge;
-        let by_radius = -self.depth * by_share * self.widest * wall - fall * by_u * u * inverse;
-        let outside = distance >= 0.0;
+        let by_radius =
+            distance.like(-self.depth) * by_share * distance.like(self.widest) * wall - fall * by_u * u * inverse;
+        let inside = distance.is_below(zero);
         Height {
-            height: if outside { beside } else { edge + fall * wall },
-            by_distance: if outside { beside_by_distance } else { -fall * by_u * inverse },
-            by_radius: if outside { 0.0 } else { by_radius },
-            by_plate: if outside { 1.0 } else { 1.0 - wall },
+            height: (edge + fall * wall).where_(inside, beside.height),
+            by_distance: (-fall * by_u * inverse).where_(inside, beside.by_distance),
+            by_radius: by_radius.where_(inside, zero),
+            by_plate: (one - wall).where_(inside, one),
         }
     }
 
-    /// The same beside the crack: the height, and how it changes with the distance.
+    /// The same beside the crack.
     #[inline(always)]
-    pub(super) fn beside(&self, distance: f32, plate: f32, curl: f32) -> (f32, f32) {
-        let level = self.top + plate;
-        // Both without a branch, so that several places are done at a time.
-        let (a, b) = (rest(distance * self.rim_rate, self.rim_rate), rest(distance * self.curl_rate, self.curl_rate));
-        let height = level - self.rim * a * a + curl * b * b;
-        (height, 2.0 * (self.rim * a * self.rim_rate - curl * b * self.curl_rate))
+    pub(super) fn beside<N: Number>(&self, distance: N, plate: N, curl: N) -> Height<N> {
+        let (zero, one) = (distance.like(0.0), distance.like(1.0));
+        let level = distance.like(self.top) + plate;
+        let (a, b) = (rest(distance, self.rim_rate), rest(distance, self.curl_rate));
+        let height = level - distance.like(self.rim) * a * a + curl * b * b;
+        let by_distance = distance.like(2.0)
+            * (distance.like(self.rim) * a * distance.like(self.rim_rate) - curl * b * distance.like(self.curl_rate));
+        Height { height, by_distance, by_radius: zero, by_plate: one }
     }
 
     /// The part of the sky that is seen from a place: that of the middle between two long straight rims.
@@ -100,28 +105,35 @@ impl Profile {
     /// A wall that rises by `z` at the distance `x` hides what lies below its rim; the rest, weighted by the cosine,
     /// is `x / hypot(x, z)` on that side.
     #[inline(always)]
-    pub(super) fn sky(&self, distance: f32, radius: f32, height: f32, level: f32) -> f32 {
-        let near = self.rim_width - distance;
-        let below = (self.top + level - height) * self.relief;
-        let far = 2.0 * (radius + self.rim_width) - near;
-        let seen = |x: f32| x / (x * x + below * below).sqrt();
-        let far = if far > near { far } else { near };
-        let part = 0.5 * (seen(near) + seen(far));
-        if (near <= 0.0) | (below <= 0.0) { 1.0 } else { part }
+    pub(super) fn sky<N: Number>(&self, distance: N, radius: N, height: N, level: N) -> N {
+        let (zero, one) = (distance.like(0.0), distance.like(1.0));
+        let near = distance.like(self.rim_width) - distance;
+        let below = (distance.like(self.top) + level - height) * distance.like(self.relief);
+        let far = distance.like(2.0) * (radius + distance.like(self.rim_width)) - near;
+        let part = distance.like(0.5) * (seen(near, below) + seen(far.at_least(near), below));
+        part.where_(zero.is_below(near), one).where_(zero.is_below(below), one)
     }
 }
 
-/// What is left of 1 after `part`, if anything, and if there is a rate at all.
+/// The part of the sky above a wall that is so far away, and whose rim is so far up, on its side.
 #[inline(always)]
-fn rest(part: f32, rate: f32) -> f32 {
-    if (part < 1.0) & (rate > 0.0) { 1.0 - part } else { 0.0 }
+fn seen<N: Number>(far: N, below: N) -> N {
+    far / (far * far + below * below).root()
+}
+
+/// What is left of 1 after so many parts, `rate` of them a pixel, if anything is, and if there is a rate at all.
+#[inline(always)]
+fn rest<N: Number>(distance: N, rate: f32) -> N {
+    let (zero, one) = (distance.like(0.0), distance.like(1.0));
+    if rate > 0.0 { (one - distance * distance.like(rate)).at_least(zero) } else { zero }
 }
 
 /// How deep a crack of a share of the largest width is: the root of the share; and its derivative.
 #[inline(always)]
-fn root_of_share(share: f32) -> (f32, f32) {
-    let root = if share > 0.0 { share } else { 0.0 }.sqrt();
-    let by_share = if root > 0.0 { 0.5 / root } else { 0.0 };
-    let deep = share >= 1.0;
-    (if deep { 1.0 } else { root }, if deep { 0.0 } else { by_share })
+fn root_of_share<N: Number>(share: N) -> (N, N) {
+    let (zero, one) = (share.like(0.0), share.like(1.0));
+    let root = share.at_least(zero).root();
+    let by_share = (share.like(0.5) / root).where_(zero.is_below(root), zero);
+    let slanting = share.is_below(one);
+    (root.where_(slanting, one), by_share.where_(slanting, zero))
 }
