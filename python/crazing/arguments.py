@@ -189,6 +189,28 @@ def shaped(value: Any, name: str, dtype: Any, shape: tuple[int, ...]) -> NDArray
     return np.broadcast_to(array, shape)
 
 
+def filled(value: Any, name: str, dtype: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+    """`value`, if it is an array of just that type and shape that can be written to from its first to its last byte."""
+    if not isinstance(value, np.ndarray):
+        raise TypeError(f"{name} is {found(value)}; an array that is to be filled is wanted")
+    if value.dtype != dtype or value.shape != shape:
+        wanted = f"{np.dtype(dtype)} and {shape}"
+        raise ValueError(f"{name} is of {value.dtype} and shape {value.shape}; {wanted} are wanted")
+    if not (value.flags.c_contiguous and value.flags.aligned and value.flags.writeable):
+        raise ValueError(f"{name} is read-only or in pieces; a writeable C-contiguous array is wanted")
+    return value
+
+
+def apart(arrays: Mapping[str, NDArray[Any]], others: Iterable[NDArray[Any]]) -> None:
+    """Refuses contiguous arrays that share memory among them or with others."""
+    taken = [("what is drawn", other) for other in others]
+    for name, array in arrays.items():
+        for before, other in taken:
+            if np.may_share_memory(array, other):
+                raise ValueError(f"{name} shares memory with {before}; arrays of their own are wanted")
+        taken.append((name, array))
+
+
 def entries(value: Any, name: str, wanted: int, words: str) -> tuple[Any, ...]:
     """The entries of a short sequence."""
     if not np.iterable(value):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -96,7 +97,9 @@ class TexturePlan:
         """What the range of heights from 0 to 1 is, data units."""
         return float(self._scaled["relief"])
 
-    def window(self, top: int, left: int, height: int, width: int) -> dict[str, NDArray[Any]]:
+    def window(
+        self, top: int, left: int, height: int, width: int, *, out: Mapping[str, NDArray[Any]] | None = None
+    ) -> dict[str, NDArray[Any]]:
         """Draw a part of the texture, bit for bit as the whole has it.
 
         Parameters
@@ -105,6 +108,9 @@ class TexturePlan:
             Its first row and column; it may reach beyond the whole, and a periodic pattern goes on there.
         height, width : int
             Its size in pixels, at most 2**30 of them.
+        out : mapping of str to array, optional
+            Arrays to be filled and returned in place of new ones, such as an earlier window of that size gave: memory
+            that was used before is faster than new memory. Whoever holds them sees them change.
 
         Returns
         -------
@@ -113,19 +119,46 @@ class TexturePlan:
 
         Raises
         ------
+        TypeError, ValueError
+            For numbers out of range, and when `out` has other maps, types or sizes, read-only arrays, or such as share
+            memory.
         MemoryError
             When the maps do not fit into memory.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> plan = cz.texture_plan(cz.crack(n=50, rng=1), 512, maps=["height"])
+        >>> rows = plan.window(0, 0, 128, 512)
+        >>> for top in range(128, 512, 128):
+        ...     rows = plan.window(top, 0, 128, 512, out=rows)
         """
         far = 1 << 30
         top, left = (arguments.count(value, name, low=-far, high=far) for value, name in ((top, "top"), (left, "left")))
         height, width = arguments.count(height, "height", low=1), arguments.count(width, "width", low=1)
         if height * width > MAX_PIXELS:
             raise ValueError(f"{height} x {width} are {height * width} pixels; at most {MAX_PIXELS} are supported")
-        maps = {name: _empty(name, height, width) for name in self.maps}
+        if out is None:
+            maps = {name: np.empty(_shape(name, height, width), MAPS[name][0]) for name in self.maps}
+        else:
+            maps = self._given(out, height, width)
         window = (top, left, height, width)
         key, workers = _rng.key(self.seed), arguments.thread_count(self.threads)
         given = (self._arrays, self._sides, self.bounds, self.size, self.period, window, self._scaled)
         _core.texture(*given, key, workers, maps)
+        return maps
+
+    def _given(self, out: Mapping[str, NDArray[Any]], height: int, width: int) -> dict[str, NDArray[Any]]:
+        """The arrays of an earlier window, which are to be filled again."""
+        if not isinstance(out, Mapping):
+            raise TypeError(f"out is {arguments.found(out)}; arrays by the names of maps are wanted")
+        if {*out} != {*self.maps}:
+            raise ValueError(f"out has {', '.join(map(str, out)) or 'no maps'}; {', '.join(self.maps)} are wanted")
+        maps = {
+            name: arguments.filled(out[name], f"out[{name!r}]", MAPS[name][0], _shape(name, height, width))
+            for name in self.maps
+        }
+        arguments.apart({f"out[{name!r}]": array for name, array in maps.items()}, (*self._arrays, *self._sides))
         return maps
 
 
@@ -343,6 +376,7 @@ def texture(
     bounds: ArrayLike | None = None,
     threads: int | None = None,
     seed: int = 0,
+    out: Texture | None = None,
 ) -> Texture:
     """Draw aligned maps of a crack pattern.
 
@@ -367,15 +401,20 @@ def texture(
         None takes all cores.
     seed : int, optional
         Seed of grain, patches and the differences between plates.
+    out : Texture, optional
+        An earlier texture with the same maps and size that is no longer wanted: its arrays are filled again, which is
+        faster than new memory, as in a loop over frames. It is used up: its maps, and whatever else holds these
+        arrays, show the new texture from then on, and something in between when drawing is stopped.
 
     Returns
     -------
     Texture
+        Always a new one, though it holds the arrays of `out`.
 
     Raises
     ------
     TypeError, ValueError
-        For arguments of the wrong kind, shape or range.
+        For arguments of the wrong kind, shape or range, and when `out` has other maps or another size.
     MemoryError
         When the maps do not fit into memory.
 
@@ -387,9 +426,18 @@ def texture(
     Texture(64 x 64: mask, height, normal)
     >>> t["normal"].shape, t["height"].dtype
     ((64, 64, 3), dtype('float32'))
+    >>> crack, frame = cz.crack(n=50, rng=1), None
+    >>> for age in (0.25, 0.5, 0.75, 1.0):
+    ...     frame = cz.texture(crack.at(age), 64, bounds=crack.bounds, out=frame)
     """
+    if out is not None:
+        arguments.of_kind(out, "out", Texture)
     plan = texture_plan(crack, size, maps=maps, material=material, bounds=bounds, threads=threads, seed=seed)
-    drawn = plan.window(0, 0, *plan.size)
+    if out is None:
+        drawn = plan.window(0, 0, *plan.size)
+    else:
+        with _writeable(out) as maps:
+            drawn = plan.window(0, 0, *plan.size, out=maps)
     shown = (plan.size, plan.bounds, plan.period, plan.scale, plan.material, plan.relief, plan.seed)
     return Texture(drawn, *shown, crack)
 
@@ -407,9 +455,26 @@ def _names(maps: Any) -> tuple[str, ...]:
     return tuple(dict.fromkeys(names))
 
 
-def _empty(name: str, height: int, width: int) -> NDArray[Any]:
-    dtype, channels = MAPS[name]
-    return np.empty((height, width) if channels == 1 else (height, width, channels), dtype=dtype)
+def _shape(name: str, height: int, width: int) -> tuple[int, ...]:
+    channels = MAPS[name][1]
+    return (height, width) if channels == 1 else (height, width, channels)
+
+
+@contextmanager
+def _writeable(texture: Texture) -> Iterator[dict[str, NDArray[Any]]]:
+    """The maps of a texture that is given up, writeable for a while."""
+    try:
+        for name, array in texture.maps.items():
+            try:
+                array.flags.writeable = True
+            except ValueError:
+                raise ValueError(
+                    f"out[{name!r}] is in memory that is read-only; arrays of their own are wanted"
+                ) from None
+        yield texture.maps
+    finally:
+        for array in texture.maps.values():
+            array.flags.writeable = False
 
 
 def _pattern(crack: Any) -> tuple[Any, ...]:
