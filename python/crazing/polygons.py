@@ -53,7 +53,9 @@ def polygons(shape: Any, name: str) -> list[list[Ring]]:
 
 
 def _is_geometry(value: Any) -> bool:
-    return isinstance(value, Mapping) or hasattr(value, "__geo_interface__")
+    # By the class where that tells: asking a shape of shapely itself makes a Python object of every coordinate.
+    named = "__geo_interface__"
+    return isinstance(value, Mapping) or hasattr(type(value), named) or hasattr(value, named)
 
 
 def _depth(value: Any) -> int:

@@ -7,6 +7,7 @@ use std::borrow::Cow;
 use std::ops::ControlFlow::{self, Break, Continue};
 
 use super::disc::{Disc, Place};
+use super::doors::{Doors, Few, Many, Noted};
 use super::far::{FAR, near};
 use super::links::{Links, NONE, after, before, side};
 use crate::diagram::DiagramView;
@@ -49,30 +50,32 @@ impl<'a> Cells<'a> {
     ///
     /// Gives up after `MOST` cells, or eight times as many vertices: a cell with very many neighbours, asked about by
     /// each of them, would make the whole quadratic. Gives up at once where vertices had to be moved.
+    #[inline]
     pub(super) fn find<const MOST: usize>(&self, k: usize, disc: Disc, inside: impl Fn(Point) -> bool) -> Found {
+        self.walk(k, disc, inside, Few::<MOST>::default(), MOST)
+    }
+
+    /// The same for walks among `most` cells, where these are many.
+    pub(super) fn find_far(&self, k: usize, disc: Disc, inside: impl Fn(Point) -> bool, most: usize) -> Found {
+        self.walk(k, disc, inside, Many::new(most), most)
+    }
+
+    #[inline]
+    fn walk(&self, k: usize, disc: Disc, inside: impl Fn(Point) -> bool, doors: impl Doors, most: usize) -> Found {
         if !self.convex {
             return Found::TooMany;
         }
-        let ([from, to], [right, left]) = (self.view.edges[k], self.view.dual_edges[k]);
-        let Some(first) = side(self.view, left, from).or_else(|| side(self.view, right, to)) else {
+        let (ends, [right, left]) = (self.view.edges[k], self.view.dual_edges[k]);
+        let Some(first) = side(self.view, left, ends[0]).or_else(|| side(self.view, right, ends[1])) else {
             return Found::Nothing;
-        };
-        let mut walk = Walk::<MOST, _> {
-            cells: self,
-            disc,
-            inside,
-            own: [right, left],
-            entered: [(0, 0); MOST],
-            count: 2,
-            left: 8 * MOST,
         };
         // Where there is no triangle across, the other end begins the next side.
         let second = Some(self.links.across(first)).filter(|&side| side != NONE).unwrap_or(after(first));
-        walk.entered[0] = (self.origin(first), first);
-        walk.entered[1] = (self.origin(second), second);
+        let mut walk = Walk { cells: self, disc, inside, ends, own: [right, left], doors, left: 8 * most };
+        [first, second].into_iter().for_each(|side| _ = walk.doors.note(self.origin(side), side));
         let mut next = 0;
-        while next < walk.count {
-            if let Break(found) = walk.ring(walk.entered[next].1) {
+        while let Some(side) = walk.doors.at(next) {
+            if let Break(found) = walk.ring(side) {
                 return found;
             }
             next += 1;
@@ -92,20 +95,20 @@ impl<'a> Cells<'a> {
     }
 }
 
-struct Walk<'w, const MOST: usize, F> {
+struct Walk<'w, D, F> {
     cells: &'w Cells<'w>,
     disc: Disc,
     inside: F,
-    /// The two triangles at the edge.
+    /// The two sites and the two triangles of the edge.
+    ends: [i32; 2],
     own: [i32; 2],
-    /// Sites of the cells that the disc meets, each with a side that begins there.
-    entered: [(i32, u32); MOST],
-    count: usize,
+    /// Through which the cells that the disc meets are entered.
+    doors: D,
     /// Vertices that may still be looked at.
     left: usize,
 }
 
-impl<const MOST: usize, F: Fn(Point) -> bool> Walk<'_, MOST, F> {
+impl<D: Doors, F: Fn(Point) -> bool> Walk<'_, D, F> {
     /// About the cell of the site that a side begins at, entered through the dual of that side: from both ends of it
     /// until what lies between the two is clear of the disc, as a cell is convex.
     fn ring(&mut self, start: u32) -> ControlFlow<Found> {
@@ -209,22 +212,15 @@ impl<const MOST: usize, F: Fn(Point) -> bool> Walk<'_, MOST, F> {
     /// another, and a walk from the first is then over before it comes there.
     fn enter(&mut self, side: u32) -> ControlFlow<Found> {
         let site = self.cells.origin(side);
-        let mut is_new = true;
-        for &(known, from) in &self.entered[..self.count] {
-            if from == side {
-                return Continue(());
+        match self.doors.note(site, side) {
+            Noted::Known => Continue(()),
+            Noted::TooMany => Break(Found::TooMany),
+            Noted::Door => Continue(()),
+            Noted::Cell => {
+                let position = self.cells.sites[site as usize];
+                let found = !self.ends.contains(&site) && (self.inside)(position);
+                if found { Break(Found::Inside(position)) } else { Continue(()) }
             }
-            is_new &= known != site;
         }
-        let position = self.cells.sites[site as usize];
-        if is_new && (self.inside)(position) {
-            return Break(Found::Inside(position));
-        }
-        if self.count == MOST {
-            return Break(Found::TooMany);
-        }
-        self.entered[self.count] = (site, side);
-        self.count += 1;
-        Continue(())
     }
 }

@@ -25,10 +25,12 @@ use crate::parallel;
 
 /// Cuts before a pencil is judged by what is left: each at least halves the interval, so that nothing but a tie is.
 const CUTS: usize = 64;
-/// Cells that a walk may enter, for all edges, for few and for very few.
+/// Cells that a walk may enter at first.
 const NEAR: usize = 24;
-const LONG: usize = 128;
-const LONGEST: usize = 2048;
+/// Walks that are too short are made again among so many times the cells...
+const FARTHER: usize = 8;
+/// ... as long as all of them together enter no more than so many cells an edge of the diagram: a search costs as much.
+const WALKED: usize = 4;
 /// Edges whose sites are waited for at once.
 const TOGETHER: usize = 256;
 /// Searches that are not worth sorting for.
@@ -194,11 +196,17 @@ impl Edge {
 
     /// Whether some of the circles that are left is empty, by walks among at most so many cells; None when they are
     /// more.
-    fn walk<const MOST: usize>(&self, cells: &Cells<'_>, pencil: Pencil) -> Option<bool> {
-        leaves_some(pencil, |disc, inside| match cells.find::<MOST>(self.k, disc, inside) {
-            Found::Nothing => Some(None),
-            Found::Inside(v) => Some(Some(v)),
-            Found::TooMany => None,
+    fn walk(&self, cells: &Cells<'_>, pencil: Pencil, most: usize) -> Option<bool> {
+        leaves_some(pencil, |disc, inside| {
+            let found = match most {
+                NEAR => cells.find::<NEAR>(self.k, disc, inside),
+                _ => cells.find_far(self.k, disc, inside, most),
+            };
+            match found {
+                Found::Nothing => Some(None),
+                Found::Inside(v) => Some(Some(v)),
+                Found::TooMany => None,
+            }
         })
     }
 
@@ -209,7 +217,7 @@ impl Edge {
             Found::Inside(v) => {
                 let mut pencil = self.pencil(cells);
                 pencil.cut(v);
-                self.walk::<NEAR>(cells, pencil)
+                self.walk(cells, pencil, NEAR)
             }
             Found::TooMany => None,
         }
@@ -247,11 +255,10 @@ fn decide(
         let mut left = answers.iter().map(Option::is_none);
         hard.retain(|_| left.next() == Some(true));
     };
-    if hard.len() * LONG <= rows {
-        again(&mut hard, &mut decided, &|edge| edge.walk::<LONG>(cells, edge.pencil(cells)));
-    }
-    if hard.len() * LONGEST <= rows {
-        again(&mut hard, &mut decided, &|edge| edge.walk::<LONGEST>(cells, edge.pencil(cells)));
+    let mut most = NEAR * FARTHER;
+    while !hard.is_empty() && hard.len().saturating_mul(most) <= WALKED * rows {
+        again(&mut hard, &mut decided, &|edge| edge.walk(cells, edge.pencil(cells), most));
+        most *= FARTHER;
     }
     if !hard.is_empty() {
         let places = Places::of(cells, hard.len() > FEW);

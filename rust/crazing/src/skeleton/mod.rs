@@ -8,6 +8,7 @@ mod candidates;
 mod cost;
 mod curve;
 mod disc;
+mod doors;
 mod far;
 mod flood;
 mod gabriel;
