@@ -44,7 +44,8 @@ pub(crate) fn detached<T: Send>(
             }
         }
     };
-    let outcome = py.detach(|| catch_unwind(AssertUnwindSafe(|| work(Watch::new(&go_on)))));
+    let whole = || crazing::in_one_pool(|| work(Watch::new(&go_on)));
+    let outcome = py.detach(|| catch_unwind(AssertUnwindSafe(whole)));
     match outcome {
         Ok(Ok(value)) => Ok(value),
         Ok(Err(error)) => Err(raised.into_inner().ok().flatten().unwrap_or_else(|| to_python(&error))),

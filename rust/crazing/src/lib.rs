@@ -32,4 +32,5 @@ pub mod watch;
 pub use diagram::{Diagram, DiagramView};
 pub use error::{Error, Result};
 pub use graph::{PlanarGraph, Point};
+pub use parallel::in_one_pool;
 pub use watch::Watch;

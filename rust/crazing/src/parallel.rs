@@ -1,23 +1,62 @@
 //! Work on all cores, in a pool that lives as long as the call: a global pool would not survive a fork.
 
+use std::cell::RefCell;
 use std::ops::Range;
+use std::rc::Rc;
 use std::sync::atomic::{AtomicI32, Ordering::Relaxed};
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Fewer items than this are not worth waking threads for.
 const WORTHWHILE: usize = 1 << 15;
 /// Items that one of long work counts for.
 const LONG: usize = 1 << 8;
 
+/// Whether this is in the midst of a call, and its pool as soon as it needs one.
+type Call = (bool, Option<Rc<ThreadPool>>);
+
+thread_local! {
+    static CALL: RefCell<Call> = const { RefCell::new((false, None)) };
+}
+
+/// Does `work` with one pool for all of it: to make one takes as long as to look at ten thousand items.
+///
+/// A call within a call, as from the handler of a signal that the watch lets in, has a pool of its own: the handler may
+/// have forked, and threads do not come along.
+pub fn in_one_pool<T>(work: impl FnOnce() -> T) -> T {
+    /// Panics come by here, too.
+    struct End(Call);
+    impl Drop for End {
+        fn drop(&mut self) {
+            CALL.replace(std::mem::take(&mut self.0));
+        }
+    }
+    let _end = End(CALL.replace((true, None)));
+    work()
+}
+
+/// The pool of the call, or a new one outside of any.
+fn pool() -> Option<Rc<ThreadPool>> {
+    let (in_call, pool) = CALL.with_borrow(Clone::clone);
+    let pool = pool.or_else(|| ThreadPoolBuilder::new().build().ok().map(Rc::new));
+    if in_call {
+        CALL.set((true, pool.clone()));
+    }
+    pool
+}
+
 /// Runs `many` in a pool of all cores, or `one` when there is little to do or no pool can be had.
 fn choose<T: Send, A: Send>(len: usize, arg: A, one: impl FnOnce(A) -> T, many: impl FnOnce(A) -> T + Send) -> T {
     if len < WORTHWHILE {
         return one(arg);
     }
-    match rayon::ThreadPoolBuilder::new().build() {
-        Ok(pool) if pool.current_num_threads() > 1 => pool.install(|| many(arg)),
+    if rayon::current_thread_index().is_some() {
+        return many(arg);
+    }
+    match pool() {
+        Some(pool) if pool.current_num_threads() > 1 => pool.install(|| many(arg)),
         _ => one(arg),
     }
 }
@@ -49,7 +88,7 @@ pub(crate) fn ranges<T: Send>(len: usize, f: impl Fn(Range<usize>) -> T + Sync +
     choose(len, (all, &f), |(all, f)| all.into_iter().map(f).collect(), |(all, f)| all.into_par_iter().map(f).collect())
 }
 
-fn all_ranges(len: usize) -> impl Iterator<Item = Range<usize>> {
+pub(crate) fn all_ranges(len: usize) -> impl Iterator<Item = Range<usize>> {
     const SIZE: usize = WORTHWHILE / 8;
     (0..len.div_ceil(SIZE)).map(move |i| i * SIZE..len.min((i + 1) * SIZE))
 }
@@ -189,10 +228,48 @@ pub(crate) fn sort<T: Ord + Send>(keys: &mut [T]) {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::HashSet;
+
     use super::*;
 
     /// Few and many: with one thread and with all.
     const SIZES: [usize; 4] = [0, 1, 1000, 3 * WORTHWHILE + 17];
+
+    /// The thread that works on the last of many items.
+    fn hand() -> std::thread::ThreadId {
+        *map(SIZES[3], |_| std::thread::current().id()).last().expect("there are many")
+    }
+
+    #[test]
+    fn a_call_has_one_pool_and_a_call_within_it_another() {
+        let own = |hands: Vec<std::thread::ThreadId>| HashSet::<_>::from_iter(hands);
+        let threads = ThreadPoolBuilder::new().build().map_or(1, |pool| pool.current_num_threads());
+        let many = || own((0..20).map(|_| hand()).collect());
+        in_one_pool(|| {
+            let before = many();
+            let within = in_one_pool(many);
+            let caught = std::panic::catch_unwind(|| in_one_pool(|| std::panic::resume_unwind(Box::new(()))));
+            let after = many();
+            assert!(caught.is_err());
+            assert!(before.union(&after).count() <= threads);
+            assert!(threads == 1 || before.union(&after).all(|hand| !within.contains(hand)));
+        });
+        assert!(CALL.with_borrow(|(in_call, pool)| !in_call && pool.is_none()));
+    }
+
+    #[test]
+    fn calls_of_several_threads_do_not_meet() {
+        let sums = std::thread::scope(|scope| {
+            let hired: Vec<_> = (0..4).map(|_| scope.spawn(|| in_one_pool(nested))).collect();
+            hired.into_iter().map(|hand| hand.join().expect("no thread panics")).collect::<Vec<_>>()
+        });
+        assert!(sums.iter().all(|sum| *sum == nested()));
+    }
+
+    /// Many in each of several.
+    fn nested() -> Vec<usize> {
+        several(3, |i| map(SIZES[3], |j| i * j).into_iter().sum())
+    }
 
     #[test]
     fn scattered_rows_stand_at_their_places() {
