@@ -261,3 +261,20 @@ def test_nested_refuses_nonsense() -> None:
     for bounds in ((0, 0, 0, 1), (0, 0, np.nan, 1), (0, 0, 1)):
         with pytest.raises(ValueError, match="bounds"):
             cz.nested(flower(30), iterations=2, bounds=bounds)
+
+
+@pytest.mark.parametrize(
+    "points", [flower(3000), np.indices((40, 30)).reshape(2, -1).T / 7, flower(3)], ids=["curve", "grid", "triangle"]
+)
+def test_what_was_found_before_changes_nothing(points: NDArray[np.float64]) -> None:
+    first = cz.medial_axis(cz.diagram(points), method="one-step")
+    known = cz.diagram(points)
+    crusts = [cz.crust(known, method="one-step"), cz.crust(known, method="two-pass")]
+    again = cz.medial_axis(known, method="one-step")
+    assert np.array_equal(first.crust.edges, crusts[0].edges)
+    for one, other in ((first.crust, again.crust), (first.axis, again.axis)):
+        assert np.array_equal(one.edges, other.edges)
+    assert np.array_equal(first.axis_mask, again.axis_mask)
+    alone, after = (cz.medial_axis(diagram, method="edge-filter") for diagram in (cz.diagram(points), known))
+    assert np.array_equal(alone.crust.edges, crusts[1].edges)
+    assert np.array_equal(alone.axis.edges, after.axis.edges)

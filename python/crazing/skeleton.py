@@ -497,15 +497,30 @@ def _fed_back(diagram: Diagram, within: NDArray[np.float64]) -> NDArray[np.float
     return kept
 
 
+def _crust_masks(diagram: Diagram) -> dict[str, Mask]:
+    """The crusts of a diagram that are known, in a byte an edge: other methods begin or end with them."""
+    masks: dict[str, Mask] = vars(diagram).setdefault("_crust_masks", {})
+    return masks
+
+
 def _crust_mask(diagram: Diagram, method: str) -> Mask:
-    """The crust of a diagram, found once, in a byte an edge: other methods begin or end with it."""
-    known: dict[str, Mask] = vars(diagram).setdefault("_crust_masks", {})
-    if method not in known:
+    """The crust of a diagram, found once."""
+    masks = _crust_masks(diagram)
+    if method not in masks:
         arrays = diagram.arrays
         two_pass = method == "two-pass"
-        mask = _core.two_pass(arrays, _one_step_mask(diagram)) if two_pass else _core.crust_mask(arrays, method)
-        known[method] = _frozen(mask)
-    return known[method]
+        masks[method] = _frozen(
+            _core.two_pass(arrays, _known(diagram)) if two_pass else _core.crust_mask(arrays, method)
+        )
+    return masks[method]
+
+
+def _known(diagram: Diagram) -> tuple[Mask, NDArray[np.uint32]]:
+    """The one-step crust and the links between triangles, which are made once, too."""
+    held = vars(diagram)
+    if "_links" not in held:
+        held["_links"] = _core.links(diagram.arrays)
+    return _one_step_mask(diagram), held["_links"]
 
 
 def _one_step_mask(diagram: Diagram) -> Mask:
@@ -531,20 +546,25 @@ def _axis_graph(diagram: Diagram, mask: Mask) -> PlanarGraph:
 
 
 def _one_step(diagram: Diagram) -> Skeleton:
-    mask = _one_step_mask(diagram)
-    rest = ~mask
-    return Skeleton(diagram, "one-step", _crust_graph(diagram, mask), _axis_graph(diagram, rest), mask, rest)
+    masks = _crust_masks(diagram)
+    if "one-step" in masks:
+        mask = masks["one-step"]
+        crust, axis = _crust_graph(diagram, mask), _axis_graph(diagram, ~mask)
+    else:
+        mask, *drawn = _core.one_step(diagram.arrays)
+        masks["one-step"] = _frozen(mask)
+        crust, axis = PlanarGraph(diagram.sites, drawn[0]), PlanarGraph(diagram.vertices, drawn[1])
+    return Skeleton(diagram, "one-step", crust, axis, mask, ~mask)
 
 
 def _edge_filter(diagram: Diagram) -> Skeleton:
-    arrays, one_step = diagram.arrays, _one_step_mask(diagram)
-    known = vars(diagram)["_crust_masks"]
-    if "two-pass" in known:
-        crust, axis = known["two-pass"], _core.filtered_axis(arrays, one_step)
+    masks = _crust_masks(diagram)
+    if "two-pass" in masks:
+        crust, axis = masks["two-pass"], _core.filtered_axis(diagram.arrays, _known(diagram))
     else:
         # Both at once are cheaper than one after the other.
-        crust, axis = _core.edge_filter(arrays, one_step)
-        known["two-pass"] = _frozen(crust)
+        crust, axis = _core.edge_filter(diagram.arrays, _known(diagram))
+        masks["two-pass"] = _frozen(crust)
     return Skeleton(diagram, "edge-filter", _crust_graph(diagram, crust), _axis_graph(diagram, axis), crust, axis)
 
 

@@ -1,6 +1,6 @@
 //! Curves and skeletons of a diagram.
 
-use crazing::skeleton;
+use crazing::{DiagramView, skeleton};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -24,16 +24,43 @@ pub(crate) fn crust_mask<'py>(py: Python<'py>, arrays: Arrays<'py>, method: &str
     Ok(PyArray1::from_vec(py, detached(py, |_| mask_of(view))?))
 }
 
-/// Whether each edge is in the two-pass crust, where the one-step crust is known.
+type OneStep<'py> = (Mask<'py>, Table<'py>, Table<'py>);
+type Table<'py> = Bound<'py, PyArray2<i32>>;
+
+/// Whether each edge is one-step crust, the edges that are, and the dual edges of the others that are drawn.
 #[pyfunction]
-pub(crate) fn two_pass<'py>(
-    py: Python<'py>,
-    arrays: Arrays<'py>,
-    one_step: PyReadonlyArray1<'py, bool>,
-) -> PyResult<Mask<'py>> {
+pub(crate) fn one_step<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<OneStep<'py>> {
     let view = arrays.view()?;
-    let one_step = column(&one_step, "one_step", view.edges.len())?;
-    Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::two_pass_among(view, one_step))?))
+    let found = detached(py, |_| skeleton::one_step_drawn(view))?;
+    Ok((PyArray1::from_vec(py, found.mask), table(py, found.crust)?, table(py, found.axis)?))
+}
+
+/// For every side of every triangle the same side as seen from across.
+#[pyfunction]
+pub(crate) fn links<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Bound<'py, PyArray1<u32>>> {
+    let view = arrays.view()?;
+    Ok(PyArray1::from_vec(py, detached(py, |_| Ok(skeleton::links(view)))?))
+}
+
+/// The one-step crust and the links of a diagram, as its face keeps them.
+#[derive(FromPyObject)]
+pub(crate) struct Known<'py>(PyReadonlyArray1<'py, bool>, PyReadonlyArray1<'py, u32>);
+
+impl Known<'_> {
+    fn of(&self, view: DiagramView<'_>) -> PyResult<skeleton::Known<'_>> {
+        Ok(skeleton::Known {
+            one_step: column(&self.0, "one_step", view.edges.len())?,
+            links: column(&self.1, "links", 3 * view.triangles.len())?,
+        })
+    }
+}
+
+/// Whether each edge is in the two-pass crust.
+#[pyfunction]
+pub(crate) fn two_pass<'py>(py: Python<'py>, arrays: Arrays<'py>, known: Known<'py>) -> PyResult<Mask<'py>> {
+    let view = arrays.view()?;
+    let known = known.of(view)?;
+    Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::two_pass_among(view, known))?))
 }
 
 /// Whether each edge is part of the curve through all samples.
@@ -151,29 +178,21 @@ fn variant(amenta: bool) -> skeleton::Variant {
 
 type Masks<'py> = (Bound<'py, PyArray1<bool>>, Bound<'py, PyArray1<bool>>);
 
-/// Two-pass crust and edge-filtered axis, where the one-step crust is known.
+/// Two-pass crust and edge-filtered axis.
 #[pyfunction]
-pub(crate) fn edge_filter<'py>(
-    py: Python<'py>,
-    arrays: Arrays<'py>,
-    one_step: PyReadonlyArray1<'py, bool>,
-) -> PyResult<Masks<'py>> {
+pub(crate) fn edge_filter<'py>(py: Python<'py>, arrays: Arrays<'py>, known: Known<'py>) -> PyResult<Masks<'py>> {
     let view = arrays.view()?;
-    let one_step = column(&one_step, "one_step", view.edges.len())?;
-    let found = detached(py, |_| skeleton::edge_filter_among(view, one_step))?;
+    let known = known.of(view)?;
+    let found = detached(py, |_| skeleton::edge_filter_among(view, known))?;
     Ok((PyArray1::from_vec(py, found.crust), PyArray1::from_vec(py, found.axis)))
 }
 
 /// The axis alone, where the crust is known, too.
 #[pyfunction]
-pub(crate) fn filtered_axis<'py>(
-    py: Python<'py>,
-    arrays: Arrays<'py>,
-    one_step: PyReadonlyArray1<'py, bool>,
-) -> PyResult<Mask<'py>> {
+pub(crate) fn filtered_axis<'py>(py: Python<'py>, arrays: Arrays<'py>, known: Known<'py>) -> PyResult<Mask<'py>> {
     let view = arrays.view()?;
-    let one_step = column(&one_step, "one_step", view.edges.len())?;
-    Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::filtered_among(view, one_step))?))
+    let known = known.of(view)?;
+    Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::filtered_among(view, known))?))
 }
 
 /// Edges of the initial axis, by the second triangulation.

@@ -30,4 +30,13 @@ impl DisjointSets {
         self.parent[a.max(b)] = a.min(b) as u32;
         a != b
     }
+
+    /// The lowest index of the set of every index, where it is known which ones have been united.
+    pub fn into_lowest(mut self, united: impl Iterator<Item = usize>) -> Vec<i32> {
+        for i in united {
+            let lowest = self.lowest(i) as u32;
+            self.parent[i] = lowest;
+        }
+        self.parent.into_iter().map(|lowest| lowest as i32).collect()
+    }
 }

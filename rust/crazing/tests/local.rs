@@ -7,8 +7,9 @@ use std::collections::BTreeSet;
 
 use crazing::diagram::scale::{Scale, largest};
 use crazing::diagram::{diagram, representatives};
-use crazing::skeleton::{edge_filter, one_step, second, two_pass};
-use crazing::{Diagram, Point, Watch};
+use crazing::skeleton::{Known, axis_edges, edge_filter, edge_filter_among, filtered_among, links, one_step};
+use crazing::skeleton::{one_step_drawn, second, two_pass, two_pass_among};
+use crazing::{Diagram, Error, Point, Watch};
 use families::{FAMILIES, any_points, family, lattice, shuffled};
 use proptest::prelude::*;
 
@@ -193,6 +194,37 @@ proptest! {
             let [a, b] = d.dual_edges[k];
             let point = a != -1 && b != -1 && representative[a as usize] == representative[b as usize];
             prop_assert!(!local.axis[k] || (a != -1 && b != -1 && !point));
+        }
+    }
+}
+
+#[test]
+fn what_is_drawn_is_read_off_the_mask() {
+    for name in FAMILIES {
+        for n in [3, 60, 400] {
+            let d = of(&family(name, n, 1));
+            if d.triangles.is_empty() {
+                continue;
+            }
+            let (found, mask) = (one_step_drawn(d.view()).unwrap(), one_step(d.view()).unwrap());
+            let rest: Vec<bool> = mask.iter().map(|kept| !kept).collect();
+            let crust = d.edges.iter().zip(&mask).filter(|(_, kept)| **kept).map(|(&ends, _)| ends);
+            assert_eq!(found.crust, crust.collect::<Vec<_>>(), "{name} {n}");
+            assert_eq!(found.axis, axis_edges(d.view(), &rest), "{name} {n}");
+            assert_eq!(found.mask, mask, "{name} {n}");
+        }
+    }
+}
+
+#[test]
+fn what_is_known_of_another_diagram_is_refused() {
+    let d = of(&family("uniform", 50, 1));
+    let (one_step, links) = (one_step(d.view()).unwrap(), links(d.view()));
+    for (array, one_step, links) in [("links", &one_step[..], &links[3..]), ("one_step", &one_step[1..], &links[..])] {
+        let known = Known { one_step, links };
+        let errors = [two_pass_among(d.view(), known).err(), filtered_among(d.view(), known).err()];
+        for error in errors.into_iter().chain([edge_filter_among(d.view(), known).err()]) {
+            assert!(matches!(error, Some(Error::BadLength { array: of, .. }) if of == array));
         }
     }
 }

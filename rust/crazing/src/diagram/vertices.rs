@@ -53,19 +53,11 @@ pub fn representatives(view: DiagramView<'_>) -> Vec<i32> {
 
 /// The same of so many triangles, where all pairs of neighbours that share a vertex are known.
 pub(crate) fn lowest_of(triangles: usize, pairs: &[[i32; 2]]) -> Vec<i32> {
-    let mut lowest = parallel::map(triangles, |triangle| triangle as i32);
-    if pairs.is_empty() {
-        return lowest;
-    }
     let mut sets = DisjointSets::new(triangles);
     for &[right, left] in pairs {
         sets.unite(right as usize, left as usize);
     }
-    // Mostly these are few.
-    for &triangle in pairs.as_flattened() {
-        lowest[triangle as usize] = sets.lowest(triangle as usize) as i32;
-    }
-    lowest
+    sets.into_lowest(pairs.as_flattened().iter().map(|&triangle| triangle as usize))
 }
 
 /// Whether the triangles on both sides of an edge share their Voronoi vertex.

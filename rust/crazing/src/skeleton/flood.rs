@@ -9,7 +9,7 @@ use std::ops::ControlFlow::{self, Break, Continue};
 use super::disc::{Disc, Place};
 use super::doors::{Doors, Few, Many, Noted};
 use super::far::{FAR, near};
-use super::links::{Links, NONE, after, before, side};
+use super::links::{NONE, after, before, side};
 use crate::diagram::DiagramView;
 use crate::diagram::scale::{Scale, largest};
 use crate::graph::Point;
@@ -27,13 +27,14 @@ pub(super) struct Cells<'a> {
     pub(super) view: DiagramView<'a>,
     pub(super) sites: Cow<'a, [Point]>,
     pub(super) vertices: Cow<'a, [Point]>,
-    links: Links,
+    links: &'a [u32],
     /// Whether no vertex had to be moved: only then are cells convex.
     convex: bool,
 }
 
 impl<'a> Cells<'a> {
-    pub(super) fn of(view: DiagramView<'a>) -> Self {
+    /// `links` are [those](super::links()) of the diagram.
+    pub(super) fn of(view: DiagramView<'a>, links: &'a [u32]) -> Self {
         let scale = Scale::of(largest(view.sites));
         let farthest = largest(view.vertices);
         let (sites, vertices) = if scale.is_one() && farthest < 1e30 {
@@ -42,7 +43,7 @@ impl<'a> Cells<'a> {
             (scale.all_down(view.sites), view.vertices.iter().map(|&v| near(scale.down(v))).collect())
         };
         let convex = farthest < f64::MAX && scale.down([farthest; 2])[0] <= FAR;
-        Self { view, sites, vertices, links: Links::of(view), convex }
+        Self { view, sites, vertices, links, convex }
     }
 
     /// The first vertex or site met for which `inside` holds, on a walk through the cells that `disc` meets; the cells
@@ -70,7 +71,7 @@ impl<'a> Cells<'a> {
             return Found::Nothing;
         };
         // Where there is no triangle across, the other end begins the next side.
-        let second = Some(self.links.across(first)).filter(|&side| side != NONE).unwrap_or(after(first));
+        let second = Some(self.across(first)).filter(|&side| side != NONE).unwrap_or(after(first));
         let mut walk = Walk { cells: self, disc, inside, ends, own: [right, left], doors, left: 8 * most };
         [first, second].into_iter().for_each(|side| _ = walk.doors.note(self.origin(side), side));
         let mut next = 0;
@@ -87,6 +88,12 @@ impl<'a> Cells<'a> {
     #[inline]
     fn origin(&self, side: u32) -> i32 {
         self.view.triangles.as_flattened()[side as usize]
+    }
+
+    /// The side across, or [`NONE`].
+    #[inline]
+    fn across(&self, side: u32) -> u32 {
+        self.links.get(side as usize).copied().unwrap_or(NONE)
     }
 
     #[inline]
@@ -112,16 +119,16 @@ impl<D: Doors, F: Fn(Point) -> bool> Walk<'_, D, F> {
     /// About the cell of the site that a side begins at, entered through the dual of that side: from both ends of it
     /// until what lies between the two is clear of the disc, as a cell is convex.
     fn ring(&mut self, start: u32) -> ControlFlow<Found> {
-        let links = &self.cells.links;
-        let beside = links.across(start);
-        if beside == NONE || links.across(before(start)) == NONE {
+        let cells = self.cells;
+        let beside = cells.across(start);
+        if beside == NONE || cells.across(before(start)) == NONE {
             return self.open(start);
         }
         let (mut left, mut right) = (start, after(beside));
         let [mut from, mut to] = [left, right].map(|side| self.disc.place(self.cells.vertex(side)));
         loop {
             let counterclockwise = from.square <= to.square;
-            let across = links.across(if counterclockwise { before(left) } else { right });
+            let across = cells.across(if counterclockwise { before(left) } else { right });
             if across == NONE {
                 return if counterclockwise {
                     self.counterclockwise(from, left)?;
@@ -161,7 +168,7 @@ impl<D: Doors, F: Fn(Point) -> bool> Walk<'_, D, F> {
     fn counterclockwise(&mut self, mut at: Place, mut side: u32) -> ControlFlow<Found> {
         loop {
             let back = before(side);
-            side = self.cells.links.across(back);
+            side = self.cells.across(back);
             if side == NONE {
                 return self.ray(at, back, back);
             }
@@ -171,7 +178,7 @@ impl<D: Doors, F: Fn(Point) -> bool> Walk<'_, D, F> {
 
     fn clockwise(&mut self, mut at: Place, mut side: u32) -> ControlFlow<Found> {
         loop {
-            let across = self.cells.links.across(side);
+            let across = self.cells.across(side);
             if across == NONE {
                 return self.ray(at, side, after(side));
             }

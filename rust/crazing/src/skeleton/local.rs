@@ -15,6 +15,7 @@
 
 use super::disc::Disc;
 use super::flood::{Cells, Found};
+use super::links::links;
 use super::one_step::{one_step, opposite};
 use super::pencil::Pencil;
 use super::places::Places;
@@ -45,6 +46,15 @@ pub struct Local {
     pub axis: Vec<bool>,
 }
 
+/// What the methods here begin with.
+#[derive(Debug, Clone, Copy)]
+pub struct Known<'a> {
+    /// The one-step crust.
+    pub one_step: &'a [bool],
+    /// [`links`] between the triangles.
+    pub links: &'a [u32],
+}
+
 /// Whether each edge is in the two-pass crust.
 ///
 /// Decided for the rounded Voronoi vertices; coincident ones are one, and a tie (an interval of circles shorter than
@@ -56,35 +66,40 @@ pub struct Local {
 /// # Source
 /// Amenta, Bern, Eppstein: The Crust and the Beta-Skeleton (1998); thesis, section 4.1.
 pub fn two_pass(view: DiagramView<'_>) -> Result<Vec<bool>> {
-    two_pass_among(view, &one_step(view)?)
+    two_pass_among(view, Known { one_step: &one_step(view)?, links: &links(view) })
 }
 
-/// [`two_pass`] where the one-step crust is known.
+/// [`two_pass`] where the one-step crust and the links are known.
 ///
 /// # Errors
 /// As there, or [`crate::Error::BadLength`].
-pub fn two_pass_among(view: DiagramView<'_>, one_step: &[bool]) -> Result<Vec<bool>> {
-    check(view, one_step)?;
-    let cells = Cells::of(view);
+pub fn two_pass_among(view: DiagramView<'_>, known: Known<'_>) -> Result<Vec<bool>> {
+    let cells = known.cells(view)?;
+    let one_step = known.one_step;
     Ok(decide(&cells, |k| one_step[k], |k| Edge::crust(&cells, k)))
 }
 
-/// The axis of [`edge_filter`] where the one-step crust is known.
+/// The axis of [`edge_filter`] where the one-step crust and the links are known.
 ///
 /// # Errors
 /// As there, or [`crate::Error::BadLength`].
-pub fn filtered_among(view: DiagramView<'_>, one_step: &[bool]) -> Result<Vec<bool>> {
-    check(view, one_step)?;
-    let cells = Cells::of(view);
+pub fn filtered_among(view: DiagramView<'_>, known: Known<'_>) -> Result<Vec<bool>> {
+    let cells = known.cells(view)?;
+    let one_step = known.one_step;
     Ok(decide(&cells, |k| !one_step[k], |k| Edge::axis(&cells, k)))
 }
 
-fn check(view: DiagramView<'_>, one_step: &[bool]) -> Result<()> {
-    let (found, wanted) = (one_step.len(), view.edges.len());
-    if found != wanted {
-        return Err(Error::BadLength { array: "one_step", found, wanted });
+impl<'a> Known<'a> {
+    fn cells(self, view: DiagramView<'a>) -> Result<Cells<'a>> {
+        let (edges, sides) = (view.edges.len(), 3 * view.triangles.len());
+        for (array, found, wanted) in [("one_step", self.one_step.len(), edges), ("links", self.links.len(), sides)] {
+            if found != wanted {
+                return Err(Error::BadLength { array, found, wanted });
+            }
+        }
+        view.check_triangle()?;
+        Ok(Cells::of(view, self.links))
     }
-    view.check_triangle()
 }
 
 /// Two-pass crust and edge-filtered axis at once.
@@ -98,16 +113,16 @@ fn check(view: DiagramView<'_>, one_step: &[bool]) -> Result<()> {
 /// # Source
 /// Thesis, section 5.2.
 pub fn edge_filter(view: DiagramView<'_>) -> Result<Local> {
-    edge_filter_among(view, &one_step(view)?)
+    edge_filter_among(view, Known { one_step: &one_step(view)?, links: &links(view) })
 }
 
-/// [`edge_filter`] where the one-step crust is known.
+/// [`edge_filter`] where the one-step crust and the links are known.
 ///
 /// # Errors
 /// As there, or [`crate::Error::BadLength`].
-pub fn edge_filter_among(view: DiagramView<'_>, one_step: &[bool]) -> Result<Local> {
-    check(view, one_step)?;
-    let cells = Cells::of(view);
+pub fn edge_filter_among(view: DiagramView<'_>, known: Known<'_>) -> Result<Local> {
+    let cells = known.cells(view)?;
+    let one_step = known.one_step;
     let edge = |k: usize| if one_step[k] { Edge::crust(&cells, k) } else { Edge::axis(&cells, k) };
     let kept = decide(&cells, |_| true, edge);
     let (crust, axis) = kept.iter().zip(one_step).map(|(&kept, &one)| (kept & one, kept & !one)).unzip();
