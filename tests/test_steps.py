@@ -105,7 +105,7 @@ def topology(c: cz.Crack) -> tuple[int, int, int, int]:
 
 
 HARD = {"roughness": 0.8, "hurst": 0.4, "grain": 0.05, "warp": 0.5}
-CURVED = {"rounding": 1.0, "grain": 0.05}
+CURVED = {"rounding": 1.0, "grain": 0.01}
 
 
 @pytest.mark.parametrize("period", [None, (1.0, 0.5)])
@@ -164,6 +164,22 @@ def test_a_rounded_ring_is_nearly_a_circle(corners: int) -> None:
         assert len(middle) == corners
         np.testing.assert_allclose(1 - middle, flat - rounding * rise, atol=1e-9)
     assert rise == pytest.approx(flat, rel=0.03)
+
+
+@pytest.mark.parametrize("grain", [0.01, 0.02, 0.05])
+def test_pieces_are_as_short_as_the_grain_or_next_to_straight(grain: float) -> None:
+    walls, how = cz.steps.split(8, rng=2), {"roughness": 0, "unit": 1, "rounding": 1, "rng": 1}
+    fine, coarse = (cz.steps.roughen(walls, grain=size, **how) for size in (1e-3, grain))
+    start, end = np.moveaxis(coarse.vertices[coarse.edges], 1, 0)
+    along, from_start = end - start, fine.vertices[:, None] - start
+    part = np.clip((from_start * along).sum(axis=-1) / (along**2).sum(axis=-1), 0, 1)
+    apart = np.linalg.norm(from_start - part[..., None] * along, axis=-1).min(axis=1).max()
+    assert apart <= grain / 40
+    assert (np.linalg.norm(along, axis=-1) > grain).any()
+    # A free tip runs out in a curve: there no piece is longer.
+    alone = cz.steps.draw(cz.PlanarGraph([(0, 0), (2, 0)], [(0, 1)]))
+    tip = cz.steps.roughen(alone, roughness=1e-6, unit=1, grain=grain, rng=1)
+    assert np.linalg.norm(np.diff(tip.vertices[tip.edges], axis=1), axis=-1).max() <= grain
 
 
 def test_cracks_that_go_on_nowhere_stay_straight() -> None:

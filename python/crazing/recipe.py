@@ -135,7 +135,8 @@ class Recipe:
     hurst : float
         Deviation grows with this power of length: .5 is a random walk, .7 is what real cracks show.
     grain : float
-        Pieces of rough and rounded cracks are no longer than this many spacings.
+        Pieces of rough and rounded cracks are no longer than this many spacings, but where they are next to straight,
+        see :func:`crazing.steps.roughen`.
     rounding : float
         How far cracks turn in curves instead of corners: 0 not at all, 1 all the way, where there is room.
     thickness : float

@@ -421,7 +421,9 @@ def roughen(
     hurst : float
         Deviation grows with this power of length: .5 is a random walk, .7 is what real cracks show.
     grain : float
-        Edges are halved until no longer than this many units.
+        Edges are halved until no longer than this many units, or until their pieces are next to straight: till the
+        middle of each lies off its chord by no more than a 25th of this in standard deviation, and by no more than a
+        40th where they are bent. Edges with a free tip are halved to the grain, since there width runs out in a curve.
     rounding : float
         How far edges are bent, so that cracks turn in curves instead of corners: 0 not at all, 1 all the way, where
         there is room.

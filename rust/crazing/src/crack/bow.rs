@@ -40,6 +40,14 @@ impl Bow {
         self.slopes == [0.0; 2]
     }
 
+    /// No less than how far the middle of the chord of the whole edge lies off it, in its lengths; a part of the edge lies
+    /// off its own chord by no more than this times the square of the part.
+    pub(super) fn most(&self) -> f64 {
+        // The second derivative is linear along the edge: it is largest at one of its ends.
+        let [a, b] = self.slopes;
+        (4.0 * a + 2.0 * b).abs().max((2.0 * a + 4.0 * b).abs()) / 8.0
+    }
+
     /// How far to the left the edge lies at a part of its way, in its lengths.
     pub(super) fn height(&self, part: f64) -> f64 {
         let rest = 1.0 - part;

@@ -1,7 +1,8 @@
 //! Patterns: cracks with their widths, the last drawing of a recipe.
 
 use super::net::{NONE, Net, NetView};
-use super::roughen::{Trace, pieces_of, repeated, shifts_of};
+use super::roughen::Trace;
+use super::roughen::pieces::{pieces_of, repeated, shifts_of};
 use super::strand::{Pieces, Strands, of_pieces};
 use super::width::{Profile, spans, widen};
 use crate::error::Result;

@@ -1,10 +1,12 @@
 //! Rough cracks: 1/f wandering about their straight edges, pinned at the nodes.
 
 mod bridge;
+mod fineness;
+pub(super) mod pieces;
 
 use super::bow::Bow;
 use super::fence::{FenceView, Guard};
-use super::net::{Ends, NONE, Net, NetView};
+use super::net::{Ends, Net, NetView};
 use super::room::Room;
 use crate::error::{Error, Result};
 use crate::graph::Point;
@@ -12,11 +14,8 @@ use crate::parallel;
 use crate::rng::Key;
 use crate::watch::Watch;
 use bridge::{Bridge, wavy};
-
-/// Most halvings of one edge.
-const DEEPEST: u32 = 8;
-/// An edge is not subdivided when its kite is thinner than this part of its length: roundings could leave it.
-const THIN: f64 = 1e-6;
+use fineness::{DEEPEST, Fineness};
+use pieces::{partners_of, pieces_of, repeated, shifts_of};
 
 /// How cracks wander.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +26,8 @@ pub struct Roughness {
     pub hurst: f64,
     /// The length that `amplitude` is about, data units.
     pub unit: f64,
-    /// Edges are halved until no longer than this, data units.
+    /// Edges are halved until no longer than this, data units, or until they would be next to straight: see
+    /// [`roughen`].
     pub grain: f64,
     /// How far edges are bent so that a crack turns smoothly from one to the next: 0 not at all, 1 all the way.
     pub rounding: f64,
@@ -58,6 +58,10 @@ pub(super) struct Trace {
 /// Between nodes (vertices of other degree than 2, cut ends) a crack is a bridge of fractional Brownian motion by
 /// midpoint displacement. Vertices move behind the fence, see [`super::Fence`]; every edge wanders in its own kite, a
 /// region no other edge enters, and forward only: topology stays, and nothing new crosses.
+///
+/// Edges are halved until their pieces are no longer than `grain`, or until the middle of a piece lies off its chord by
+/// no more than a 25th of `grain` (the standard deviation of its wandering) and a 40th (its bow). Those with a free tip
+/// are halved to the grain.
 ///
 /// # Errors
 /// [`Error::BadValue`], [`Error::TooMany`], [`Error::Interrupted`].
@@ -100,12 +104,15 @@ pub(super) fn trace(
             return Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" });
         }
     }
-    let vertices = wander(net, fence, how, key, watch)?;
+    let ends = Ends::of(net);
+    let vertices = wander(net, &ends, fence, how, key, watch)?;
     let moved = NetView { vertices: &vertices, ..net };
     watch.poll()?;
     let (old, edges) = (vertices.len(), net.edges.len());
+    let fineness = Fineness::of(how);
     let depths = parallel::map(edges, |k| {
-        halvings(&Room::of(moved, fence, k), &Bow::of(moved, partner, k, rounding), how) as u8
+        let is_tip = net.edges[k].iter().any(|&end| ends.at(end as usize).len() == 1 && !net.cut[end as usize]);
+        fineness.halvings(&Room::of(moved, fence, k), &Bow::of(moved, partner, k, rounding), is_tip) as u8
     });
     let mut starts = Vec::with_capacity(edges + 1);
     starts.push(0_usize);
@@ -141,8 +148,14 @@ pub(super) fn trace(
 }
 
 /// Moves the vertices of degree 2 across their crack.
-fn wander(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, watch: Watch<'_>) -> Result<Vec<Point>> {
-    let ends = Ends::of(net);
+fn wander(
+    net: NetView<'_>,
+    ends: &Ends,
+    fence: FenceView<'_>,
+    how: Roughness,
+    key: Key,
+    watch: Watch<'_>,
+) -> Result<Vec<Point>> {
     let mut guard = Guard::of(net, fence);
     let mut seen = vec![false; net.edges.len()];
     let is_node = |vertex: usize| ends.at(vertex).len() != 2 || net.cut[vertex];
@@ -154,7 +167,7 @@ fn wander(net: NetView<'_>, fence: FenceView<'_>, how: Roughness, key: Key, watc
         if seen[end as usize / 2] {
             continue;
         }
-        chain(net, &ends, end, &mut seen, is_node, &mut entries);
+        chain(net, ends, end, &mut seen, is_node, &mut entries);
         // What has no inner vertex does not wander.
         if entries.len() - starts[starts.len() - 1] < 2 {
             entries.truncate(starts[starts.len() - 1]);
@@ -209,21 +222,6 @@ fn chain(
     }
 }
 
-/// How often an edge is halved.
-fn halvings(room: &Room, bow: &Bow, how: Roughness) -> u32 {
-    let across = room.sides[0][1].max(room.sides[1][1]);
-    if !(how.grain > 0.0 && room.length.is_finite() && across > THIN * room.length)
-        || (how.amplitude == 0.0 && bow.is_straight())
-    {
-        return 0;
-    }
-    let mut depth = 0;
-    while depth < DEEPEST && room.length > how.grain * f64::from(1 << depth) {
-        depth += 1;
-    }
-    depth
-}
-
 /// Finds the places of the inner vertices of an edge.
 fn place(net: NetView<'_>, room: &Room, bow: &Bow, heights: &[f64], edge: usize, places: &mut [Point]) {
     let count = heights.len() - 1;
@@ -237,80 +235,4 @@ fn place(net: NetView<'_>, room: &Room, bow: &Bow, heights: &[f64], edge: usize,
         let height = room.within(part * room.length, bent + heights[i]);
         *place = [a[0] + part * (b[0] - a[0]) - height * y, a[1] + part * (b[1] - a[1]) + height * x];
     }
-}
-
-/// Piece `i` of edge `k` is edge `starts[k] + i`; the inner vertices follow the old ones in the order of the pieces.
-pub(super) fn pieces_of(net: NetView<'_>, starts: &[usize]) -> Vec<[i32; 2]> {
-    let old = net.vertices.len();
-    let mut pieces = vec![[0; 2]; starts[net.edges.len()]];
-    parallel::grouped(
-        net.edges.len(),
-        |k| starts[k],
-        &mut pieces,
-        |range, pieces| {
-            let first = starts[range.start];
-            for k in range {
-                for piece in starts[k]..starts[k + 1] {
-                    // The vertex after the piece; every edge before has one piece more than inner vertices.
-                    let after = (old + piece - k) as i32;
-                    pieces[piece - first] = [after - 1, after];
-                }
-                pieces[starts[k] - first][0] = net.edges[k][0];
-                pieces[starts[k + 1] - 1 - first][1] = net.edges[k][1];
-            }
-        },
-    );
-    pieces
-}
-
-/// The last piece of an edge crosses what the edge crosses.
-pub(super) fn shifts_of(net: NetView<'_>, starts: &[usize]) -> Vec<[i8; 2]> {
-    let mut shifts = vec![[0; 2]; if net.shifts.is_empty() { 0 } else { starts[net.edges.len()] }];
-    net.shifts.iter().zip(&starts[1..]).for_each(|(&shift, &end)| shifts[end - 1] = shift);
-    shifts
-}
-
-/// Pieces of one edge continue each other; its ends go on as before.
-fn partners_of(partner: &[i32], starts: &[usize]) -> Vec<i32> {
-    let end_of = |end: i32| match end {
-        NONE => NONE,
-        _ if end % 2 == 0 => 2 * starts[end as usize / 2] as i32,
-        _ => 2 * starts[end as usize / 2 + 1] as i32 - 1,
-    };
-    let edges = partner.len() / 2;
-    let mut partners = vec![NONE; 2 * starts[edges]];
-    parallel::grouped(
-        edges,
-        |k| 2 * starts[k],
-        &mut partners,
-        |range, partners| {
-            let first = 2 * starts[range.start];
-            for k in range {
-                let (start, end) = (2 * starts[k], 2 * starts[k + 1]);
-                for near in (start + 1..end - 1).step_by(2) {
-                    partners[near - first] = near as i32 + 1;
-                    partners[near + 1 - first] = near as i32;
-                }
-                partners[start - first] = end_of(partner[2 * k]);
-                partners[end - 1 - first] = end_of(partner[2 * k + 1]);
-            }
-        },
-    );
-    partners
-}
-
-/// `value` of each edge, for each of its pieces.
-pub(super) fn repeated(starts: &[usize], value: impl Fn(usize) -> i32 + Sync + Send) -> Vec<i32> {
-    let edges = starts.len() - 1;
-    let mut values = vec![0; starts[edges]];
-    parallel::grouped(
-        edges,
-        |k| starts[k],
-        &mut values,
-        |range, values| {
-            let first = starts[range.start];
-            range.for_each(|k| values[starts[k] - first..starts[k + 1] - first].fill(value(k)));
-        },
-    );
-    values
 }
