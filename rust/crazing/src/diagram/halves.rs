@@ -68,7 +68,9 @@ impl Stars {
     /// [`Error::Interrupted`].
     pub(crate) fn triangulate(&mut self, watch: Watch<'_>) -> Result<bool> {
         let blank = Half { next: NONE, prev: NONE, origin: NONE };
-        self.halves.resize(ROOM * self.sites.len(), blank);
+        if self.halves.len() != ROOM * self.sites.len() {
+            self.halves = parallel::map(ROOM * self.sites.len(), |_| blank);
+        }
         self.sites.iter_mut().for_each(|site| site.edge = NONE);
         let whole = Part { sites: &mut self.sites, halves: &mut self.halves, first: 0 };
         match whole.triangulated(0, watch) {

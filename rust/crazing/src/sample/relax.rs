@@ -2,7 +2,7 @@
 
 use super::check_box;
 use crate::diagram::halves::{Site, Stars};
-use crate::diagram::scale::{Scale, cleared, largest};
+use crate::diagram::scale::{Scale, cleared};
 use crate::diagram::{DiagramView, check_points, distinct, periodic};
 use crate::error::{Error, Result};
 use crate::graph::Point;
@@ -47,17 +47,18 @@ fn in_plane(points: Vec<Point>, iterations: usize, bounds: [f64; 4], watch: Watc
     let rows = points.len();
     let mut stars = Stars::of(points.into_iter().zip(0..).map(|(p, row)| Site::new(p, row)).collect());
     let mut of_row: Vec<u32> = (0..rows as u32).collect();
+    let mut moved = Vec::new();
     for _ in 0..iterations {
         let scale = triangulated(&mut stars, &mut of_row, watch)?;
         watch.poll()?;
         let up = |p: Point| if scale.is_one() { p } else { scale.up(p) };
-        let moved = parallel::ranges(stars.sites.len(), |range| {
+        moved.resize(stars.sites.len(), [0.0; 2]);
+        parallel::fill(&mut moved, |range, places| {
             let mut corner = Corners::default();
-            range.map(|site| corner.centroid(&stars, site, bounds, up)).collect::<Vec<_>>()
+            let places = places.iter_mut().zip(range);
+            places.for_each(|(place, site)| *place = corner.centroid(&stars, site, bounds, up));
         });
-        for (site, place) in stars.sites.iter_mut().zip(moved.into_iter().flatten()) {
-            site.place = place;
-        }
+        parallel::alter_both(&mut stars.sites, &mut moved, |site, &mut place| site.place = place);
     }
     let mut places = vec![[0.0; 2]; stars.sites.len()];
     stars.sites.iter().for_each(|site| places[site.row as usize] = site.place);
@@ -66,11 +67,12 @@ fn in_plane(points: Vec<Point>, iterations: usize, bounds: [f64; 4], watch: Watc
 
 /// Triangulates the sites in a unit that brings them near 1; equal ones become one, which their rows share.
 fn triangulated(stars: &mut Stars, of_row: &mut [u32], watch: Watch<'_>) -> Result<Scale> {
-    let most = stars.sites.iter().fold(0.0, |most: f64, site| most.max(largest(&[site.place])));
+    let size = |range: std::ops::Range<usize>| {
+        stars.sites[range].iter().fold(0.0, |most: f64, site| most.max(site.place[0].abs()).max(site.place[1].abs()))
+    };
+    let most = parallel::ranges(stars.sites.len(), size).into_iter().fold(0.0, f64::max);
     let scale = Scale::of(most);
-    for site in &mut stars.sites {
-        site.place = scale.down(cleared(site.place, most));
-    }
+    parallel::alter(&mut stars.sites, |site| site.place = scale.down(cleared(site.place, most)));
     if stars.triangulate(watch)? {
         return Ok(scale);
     }
