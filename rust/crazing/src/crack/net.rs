@@ -126,8 +126,7 @@ impl NetView<'_> {
     /// Length of an edge.
     #[inline]
     pub fn length(&self, edge: usize) -> f64 {
-        let [x, y] = self.along(2 * edge as u32);
-        libm::hypot(x, y)
+        length(self.along(2 * edge as u32))
     }
 
     /// The same drawing, its vertices moved into [0, width) x [0, height); in the plane, as it is.
@@ -151,6 +150,13 @@ impl NetView<'_> {
         }
         degrees
     }
+}
+
+/// Length of a vector; only those that would over- or underflow take the slow way.
+#[inline]
+pub(super) fn length([x, y]: Point) -> f64 {
+    let square = x * x + y * y;
+    if (1e-280..1e280).contains(&square) { square.sqrt() } else { libm::hypot(x, y) }
 }
 
 /// The ends of edges at each vertex, in one row.

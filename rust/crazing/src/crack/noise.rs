@@ -3,6 +3,12 @@
 use crate::quantile;
 use crate::rng::{Key, block, open_unit, stream};
 
+/// A power of a number that is not negative, within some 1e-15 of it for powers that lengths grow by: half the time of
+/// one that is exact to the last bit.
+pub(super) fn power(base: f64, exponent: f64) -> f64 {
+    if exponent == 0.0 { 1.0 } else { libm::exp2(exponent * libm::log2(base)) }
+}
+
 /// Standard normal numbers, one of its own for every place on an edge.
 pub(super) struct Noise {
     key: Key,
@@ -33,5 +39,20 @@ impl Noise {
             self.words = block(self.key, [self.edge, self.block, stream::ROUGHNESS, self.level]);
         }
         quantile::normal(open_unit(self.words[index % 4]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::power;
+
+    #[test]
+    fn powers_are_those_of_the_library() {
+        for base in [1e-12, 0.003, 0.5, 1.0, 1.7, 40.0, 1e9] {
+            for exponent in [0.0, 0.15, 0.5, 0.7, 1.0, 1.2] {
+                assert!((power(base, exponent) / libm::pow(base, exponent) - 1.0).abs() < 1e-14, "{base} {exponent}");
+            }
+        }
+        assert_eq!([power(0.0, 0.5), power(0.0, 0.0), power(f64::INFINITY, 0.0)], [0.0, 1.0, 1.0]);
     }
 }

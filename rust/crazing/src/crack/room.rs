@@ -1,17 +1,11 @@
 //! The room that a rough edge has: its kite, which no other edge enters.
 
 use super::fence::FenceView;
-use super::net::NetView;
+use super::net::{self, NetView};
 use crate::graph::Point;
 
 /// The part of its kite that an edge may wander in.
 const ROOM: f64 = 0.6;
-
-/// Length of a vector; only those that would over- or underflow take the slow way.
-fn length([x, y]: Point) -> f64 {
-    let square = x * x + y * y;
-    if (1e-280..1e280).contains(&square) { square.sqrt() } else { libm::hypot(x, y) }
-}
 
 /// The kite of an edge in its own frame: how far along and how far across the apexes lie, left and right.
 pub(super) struct Room {
@@ -23,7 +17,7 @@ impl Room {
     pub(super) fn of(net: NetView<'_>, fence: FenceView<'_>, edge: usize) -> Self {
         let [a, b] = net.ends(edge);
         let (x, y) = (b[0] - a[0], b[1] - a[1]);
-        let length = self::length([x, y]);
+        let length = net::length([x, y]);
         let side = |side: usize, sign: f64| {
             let corner = fence.kites[edge][2 + side];
             if corner < 0 || length == 0.0 {

@@ -1,5 +1,6 @@
 //! The spacing of plates: what the lengths of a recipe are parts of.
 
+use super::net::length;
 use crate::graph::Point;
 use crate::parallel;
 
@@ -9,8 +10,7 @@ pub fn spacing(sites: &[Point], edges: &[[i32; 2]], shifts: &[[i8; 2]], period: 
     let mut lengths = parallel::map(edges.len(), |k| {
         let [p, q] = edges[k].map(|site| sites[site as usize]);
         let shift = shifts.get(k).copied().unwrap_or_default();
-        let [x, y] = [0, 1].map(|i| q[i] - p[i] + f64::from(shift[i]) * period[i]);
-        libm::hypot(x, y)
+        length([0, 1].map(|i| q[i] - p[i] + f64::from(shift[i]) * period[i]))
     });
     if lengths.is_empty() {
         return 0.0;

@@ -1,6 +1,6 @@
 //! Strands: at every vertex the edges that continue each other best are one crack.
 
-use super::net::{Ends, NONE, NetView};
+use super::net::{Ends, NONE, NetView, length};
 use crate::graph::Point;
 use crate::parallel;
 
@@ -104,7 +104,7 @@ pub(super) fn of_pieces(
 /// Unit vector from an end along its edge.
 fn direction(net: NetView<'_>, end: u32) -> Point {
     let [x, y] = net.along(end);
-    let length = libm::hypot(x, y);
+    let length = length([x, y]);
     if length > 0.0 { [x / length, y / length] } else { [0.0; 2] }
 }
 

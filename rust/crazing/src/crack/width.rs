@@ -1,6 +1,7 @@
 //! Width: old and long cracks are wide, free tips run out to a point.
 
 use super::net::NetView;
+use super::noise::power;
 use super::strand::Strands;
 use crate::error::{Error, Result};
 use crate::graph::Point;
@@ -237,7 +238,7 @@ impl Shape {
         let generation = strands.generation[first as usize / 2];
         // Any power of 1 is 1.
         let shrunk = if profile.shrink == 1.0 { 1.0 } else { libm::pow(profile.shrink, f64::from(generation)) };
-        let full = profile.width * libm::pow(length / longest, profile.hierarchy) * shrunk;
+        let full = profile.width * power(length / longest, profile.hierarchy) * shrunk;
         Self {
             full: full * factor(profile.unevenness, key, strand, 0),
             length,

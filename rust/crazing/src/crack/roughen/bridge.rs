@@ -2,14 +2,14 @@
 
 use super::Roughness;
 use crate::crack::net::NetView;
-use crate::crack::noise::Noise;
+use crate::crack::noise::{Noise, power};
 use crate::rng::Key;
 
 impl Roughness {
     /// Standard deviation in the middle of a stretch.
     pub(super) fn deviation(&self, length: f64) -> f64 {
         if length > 0.0 && self.unit > 0.0 {
-            self.amplitude * self.unit * libm::pow(length / self.unit, self.hurst)
+            self.amplitude * self.unit * power(length / self.unit, self.hurst)
         } else {
             0.0
         }
