@@ -5,6 +5,7 @@ mod bow;
 mod course;
 mod fence;
 mod growth;
+mod guard;
 mod hooks;
 mod impact;
 mod net;

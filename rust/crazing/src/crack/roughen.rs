@@ -5,7 +5,8 @@ mod fineness;
 pub(super) mod pieces;
 
 use super::bow::Bow;
-use super::fence::{FenceView, Guard};
+use super::fence::FenceView;
+use super::guard::Guard;
 use super::net::{Ends, Net, NetView};
 use super::room::Room;
 use crate::error::{Error, Result};
@@ -184,7 +185,12 @@ fn wander(
         }
         moves
     });
-    guard.advance(&moves.concat(), watch)?;
+    // Those that wait for others go in the order of their cracks.
+    let (mut goals, mut turns) = (guard.places(), vec![u32::MAX; net.vertices.len()]);
+    for ((vertex, goal), turn) in moves.into_iter().flatten().zip(0..) {
+        (goals[vertex as usize], turns[vertex as usize]) = (goal, turn);
+    }
+    guard.advance(|_, vertex| goals[vertex], Some(&turns), watch)?;
     Ok(guard.into_vertices())
 }
 

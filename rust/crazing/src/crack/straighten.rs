@@ -1,9 +1,8 @@
 //! Straight cracks: strands are pulled to their chords and slide along them, so that cracks that abut meet them at
 //! right angles.
 
-use std::ops::Range;
-
-use super::fence::{FenceView, Guard};
+use super::fence::FenceView;
+use super::guard::Guard;
 use super::net::{Ends, NONE, NetView};
 use crate::error::{Error, Result};
 use crate::graph::Point;
@@ -41,66 +40,87 @@ pub fn straighten(
     how: Straightening,
     watch: Watch<'_>,
 ) -> Result<Vec<Point>> {
+    straightened(net, &Ends::of(net), partner, fence, how, watch)
+}
+
+/// The same where it is known who meets where.
+pub(super) fn straightened(
+    net: NetView<'_>,
+    ends: &Ends,
+    partner: &[i32],
+    fence: FenceView<'_>,
+    how: Straightening,
+    watch: Watch<'_>,
+) -> Result<Vec<Point>> {
     for (name, value, most) in [("pull", how.pull, 1.0), ("slide", how.slide, 1.0), ("clamp", how.clamp, 0.5)] {
         if !(0.0..=most).contains(&value) {
             return Err(Error::BadValue { name, value, wanted: "0 to 1 is wanted, of clamp 0 to 0.5" });
         }
     }
-    let passes = passes(net, partner);
+    let passes = Passes::of(net, ends, partner);
     let mut guard = Guard::of(net, fence);
     for _ in 0..how.rounds {
         watch.poll()?;
         // Where to is decided for all at once, so that the order of moves leaves no trace; then one moves at a time.
-        let moves = parallel::map(passes.len(), |i| (passes[i].vertex, target(net, &guard, &passes[i], how)));
-        guard.advance(&moves, watch)?;
+        guard.advance(|guard, vertex| passes.target(guard, vertex, how), None, watch)?;
     }
     Ok(guard.into_vertices())
 }
 
-/// A vertex that one strand passes, or two: the ends of edges there that continue each other.
-struct Pass {
-    vertex: u32,
-    through: [i32; 2],
-    second: [i32; 2],
-    /// The one other edge.
-    abutting: i32,
+/// The neighbours of every vertex that one strand passes, or two: on both sides along the first, on both along the
+/// second, and along the one other edge; -1 for none.
+struct Passes {
+    far: Vec<[i32; 5]>,
+    /// Periods to them; empty in the plane.
+    turns: Vec<[[i16; 2]; 5]>,
 }
 
-fn passes(net: NetView<'_>, partner: &[i32]) -> Vec<Pass> {
-    let ends = Ends::of(net);
-    let pass = |vertex: usize| {
-        let here = ends.at(vertex);
-        let mut pairs = here.iter().filter_map(|&end| {
-            let other = partner[end as usize];
-            (other > end as i32).then_some([end as i32, other])
-        });
-        let through = pairs.next()?;
-        let alone = || here.iter().find(|&&end| partner[end as usize] == NONE).map_or(NONE, |&end| end as i32);
-        let abutting = if here.len() == 3 { alone() } else { NONE };
-        Some(Pass { vertex: vertex as u32, through, second: pairs.next().unwrap_or([NONE; 2]), abutting })
-    };
-    let of_range =
-        |range: Range<usize>| -> Vec<Pass> { range.filter(|&vertex| !net.cut[vertex]).filter_map(pass).collect() };
-    parallel::ranges(net.vertices.len(), of_range).into_iter().flatten().collect()
+/// The ends by which a vertex is left: those of one strand, of a second, and the one other.
+fn ends_of(net: NetView<'_>, ends: &Ends, partner: &[i32], vertex: usize) -> [i32; 5] {
+    let here = if net.cut[vertex] { &[] } else { ends.at(vertex) };
+    let mut pairs = here.iter().filter_map(|&end| {
+        let other = partner[end as usize];
+        (other > end as i32).then_some([end as i32, other])
+    });
+    let Some([a, b]) = pairs.next() else { return [NONE; 5] };
+    let [c, d] = pairs.next().unwrap_or([NONE; 2]);
+    let alone = || here.iter().find(|&&end| partner[end as usize] == NONE).map_or(NONE, |&end| end as i32);
+    [a, b, c, d, if here.len() == 3 { alone() } else { NONE }]
 }
 
-fn target(net: NetView<'_>, guard: &Guard<'_>, pass: &Pass, how: Straightening) -> Point {
-    let here = guard.place(pass.vertex as usize);
-    // Where the edge at an end leads, seen from here.
-    let far = |end: i32| {
-        let (edge, period) = (end as usize / 2, guard.period());
-        let sign = if end % 2 == 0 { 1.0 } else { -1.0 };
-        let shift = net.shift(edge);
-        let p = guard.place(net.vertex(end as u32 ^ 1));
-        [0, 1].map(|i| p[i] + sign * f64::from(shift[i]) * period[i])
-    };
-    let on_chord =
-        |[a, b]: [i32; 2]| on_chord(here, [far(a), far(b)], (pass.abutting != NONE).then(|| far(pass.abutting)), how);
-    if pass.second[0] == NONE {
-        return on_chord(pass.through);
+impl Passes {
+    fn of(net: NetView<'_>, ends: &Ends, partner: &[i32]) -> Self {
+        let vertices = net.vertices.len();
+        let far = |end: i32| if end == NONE { NONE } else { net.vertex(end as u32 ^ 1) as i32 };
+        let turn = |end: i32| {
+            let turn = if end == NONE { [0; 2] } else { net.shift(end as usize / 2).map(i16::from) };
+            if end % 2 == 0 { turn } else { turn.map(|x| -x) }
+        };
+        let each = |vertex: usize| ends_of(net, ends, partner, vertex);
+        Self {
+            far: parallel::map(vertices, |vertex| each(vertex).map(far)),
+            turns: parallel::map(if net.shifts.is_empty() { 0 } else { vertices }, |vertex| each(vertex).map(turn)),
+        }
     }
-    let (first, second) = (on_chord(pass.through), on_chord(pass.second));
-    [0, 1].map(|i| 0.5 * (first[i] + second[i]))
+
+    fn target(&self, guard: &Guard<'_>, vertex: usize, how: Straightening) -> Point {
+        let (here, far) = (guard.place(vertex), self.far[vertex]);
+        if far[0] == NONE {
+            return here;
+        }
+        let place = |i: usize| {
+            let p = guard.place(far[i] as usize);
+            let Some(turns) = self.turns.get(vertex) else { return p };
+            [0, 1].map(|k| p[k] + f64::from(turns[i][k]) * guard.period()[k])
+        };
+        let abutting = (far[4] != NONE).then(|| place(4));
+        let first = on_chord(here, [place(0), place(1)], abutting, how);
+        if far[2] == NONE {
+            return first;
+        }
+        let second = on_chord(here, [place(2), place(3)], abutting, how);
+        [0, 1].map(|i| 0.5 * (first[i] + second[i]))
+    }
 }
 
 /// Where a vertex on the strand from `a` to `b` goes.

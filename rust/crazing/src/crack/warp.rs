@@ -1,10 +1,10 @@
 //! A smooth warp of a whole drawing: no line stays quite straight, no angle quite even.
 
-use super::fence::{FenceView, Guard};
+use super::fence::FenceView;
+use super::guard::Guard;
 use super::net::NetView;
 use crate::error::{Error, Result};
 use crate::graph::Point;
-use crate::parallel;
 use crate::rng::{Key, Rng, stream};
 use crate::watch::Watch;
 
@@ -35,12 +35,14 @@ pub fn warp(
     let waves = Waves::of(bounds, net.shifts.is_empty(), key);
     let mut guard = Guard::of(net, fence);
     watch.poll()?;
-    let free: Vec<u32> = (0..net.vertices.len() as u32).filter(|&vertex| !net.cut[vertex as usize]).collect();
-    let moves = parallel::map(free.len(), |i| {
-        let [x, y] = waves.at(net.vertices[free[i] as usize]);
-        (free[i], guard.shoved(free[i] as usize, [amplitude * x, amplitude * y]))
-    });
-    guard.advance(&moves, watch)?;
+    let goal = |guard: &Guard<'_>, vertex: usize| {
+        if net.cut[vertex] {
+            return guard.place(vertex);
+        }
+        let [x, y] = waves.at(net.vertices[vertex]);
+        guard.shoved(vertex, [amplitude * x, amplitude * y])
+    };
+    guard.advance(goal, None, watch)?;
     Ok(guard.into_vertices())
 }
 
