@@ -70,21 +70,20 @@ def _walls(maze: Maze) -> tuple[Net, Fence]:
 
 def stretched(maze: Maze, matrix: NDArray[np.float64], centre: NDArray[np.float64], bounds: Bounds) -> Drawing:
     """The walls of a maze carved in a frame: mapped back by `matrix` about `centre`, and trimmed to `bounds`."""
-    (vertices, edges, shifts, period, cut), (anchors, kites, turns) = _walls(maze)
+    net, fence = _walls(maze)
+    vertices, edges, shifts, period, cut = net
+    if not any(period):
+        return paired(*_core.crack_stretch(net, fence, matrix, centre, bounds), bounds)
+    anchors, kites, turns = fence
     back = [np.ascontiguousarray(points @ matrix.T + centre) for points in (vertices, anchors)]
-    if any(period):
-        if abs(matrix[0, 1]) > abs(matrix[0, 0]):  # A quarter turn: what crossed the one side crosses the other.
-            turn = np.sign(matrix[0, 1]), np.sign(matrix[1, 0])
-            shifts = np.ascontiguousarray(shifts[:, ::-1] * np.array(turn, dtype=np.int8))
-            turns = np.ascontiguousarray(turns.reshape(-1, 3, 2)[:, :, ::-1] * np.array(turn, dtype=np.int8))
-            turns = turns.reshape(-1, 6)
-        # The bounds are the period as it was given; through the frame and back it would be off by roundings.
-        period = bounds[2] - bounds[0], bounds[3] - bounds[1]
-        return paired((back[0], edges, shifts, period, cut), (back[1], kites, turns), bounds)
-    net, fence = (back[0], edges, shifts, period, cut), (back[1], kites, turns)
-    nobody = np.full(2 * len(edges), -1, dtype=np.int32)
-    net, fence, _, _ = _core.crack_trim(net, fence, nobody, [], bounds)
-    return paired(net, fence, bounds)
+    if abs(matrix[0, 1]) > abs(matrix[0, 0]):  # A quarter turn: what crossed the one side crosses the other.
+        turn = np.sign(matrix[0, 1]), np.sign(matrix[1, 0])
+        shifts = np.ascontiguousarray(shifts[:, ::-1] * np.array(turn, dtype=np.int8))
+        turns = np.ascontiguousarray(turns.reshape(-1, 3, 2)[:, :, ::-1] * np.array(turn, dtype=np.int8))
+        turns = turns.reshape(-1, 6)
+    # The bounds are the period as it was given; through the frame and back it would be off by roundings.
+    period = bounds[2] - bounds[0], bounds[3] - bounds[1]
+    return paired((back[0], edges, shifts, period, cut), (back[1], kites, turns), bounds)
 
 
 def split(

@@ -209,21 +209,20 @@ pub(crate) fn crack_impact<'py>(
     aged_out(py, detached(py, |watch| crack::impact(bounds, on_torus, how, key, watch))?)
 }
 
-/// The part of a drawing within bounds.
+/// The part within bounds of a drawing in the plane under an affine map.
 #[pyfunction]
-pub(crate) fn crack_trim<'py>(
+pub(crate) fn crack_stretch<'py>(
     py: Python<'py>,
     net: NetArrays<'py>,
     fence: FenceArrays<'py>,
-    partner: PyReadonlyArray1<'py, i32>,
-    age: Vec<i32>,
+    matrix: [Point; 2],
+    centre: Point,
     bounds: [f64; 4],
-) -> PyResult<AgedOut<'py>> {
-    let view = net.view()?;
-    let (fence, partner) = (fence.view(view)?, ends(&partner, view)?);
-    let wrapped = (!view.shifts.is_empty()).then(|| view.wrapped());
-    let view = wrapped.as_ref().map_or(view, Net::view);
-    aged_out(py, detached(py, |_| crack::trimmed(view, fence, partner, &age, bounds))?)
+) -> PyResult<(NetOut<'py>, FenceOut<'py>)> {
+    let net = net.view()?;
+    let fence = fence.view(net)?;
+    let (net, fence) = detached(py, |_| crack::stretched(net, fence, matrix, centre, bounds))?;
+    Ok((net_out(py, net)?, fence_out(py, fence)?))
 }
 
 /// When the crack gets to both ends of every edge.

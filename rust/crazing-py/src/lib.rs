@@ -29,7 +29,7 @@ mod _core {
     use crate::crack::course::crack_course;
     #[pymodule_export]
     use crate::crack::{
-        crack_arrivals, crack_impact, crack_pairs, crack_spacing, crack_split, crack_straighten, crack_trim,
+        crack_arrivals, crack_impact, crack_pairs, crack_spacing, crack_split, crack_straighten, crack_stretch,
         crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
     };
     #[pymodule_export]

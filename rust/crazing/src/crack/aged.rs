@@ -57,61 +57,50 @@ impl Aged {
 /// [`crate::Error::BadValue`] for bounds without an area.
 pub fn trimmed(net: NetView<'_>, fence: FenceView<'_>, partner: &[i32], age: &[i32], bounds: Bounds) -> Result<Aged> {
     check_bounds(bounds)?;
-    let (before, drawn) = (net.vertices.len(), net.edges.len());
-    let Kept { rows: kept, ends, number, places } = Kept::of(net, bounds);
-    // Vertices in use first; the others become anchors, which stay where they are.
-    let mut row = vec![NONE; before + places.len()];
-    ends.iter().flatten().for_each(|&vertex| row[vertex as usize] = 0);
-    let used: Vec<usize> = (0..row.len()).filter(|&vertex| row[vertex] == 0).collect();
-    let others: Vec<usize> = (0..before).filter(|&vertex| row[vertex] == NONE).collect();
-    for (place, &vertex) in used.iter().chain(&others).enumerate() {
-        row[vertex] = place as i32;
-    }
-    let points = (used.len() + others.len()) as i32;
-    let renumbered = |point: i32| match point {
-        NONE => NONE,
-        _ if (point as usize) < before => row[point as usize],
-        _ => points + point - before as i32,
-    };
-    let edges = parallel::map(kept.len(), |i| ends[i].map(|vertex| row[vertex as usize]));
-    let kites = parallel::map(kept.len() + fence.kites.len() - drawn, |i| match kept.get(i) {
-        Some(&k) => {
-            let [_, _, left, right] = fence.kites[k].map(renumbered);
-            [edges[i][0], edges[i][1], left, right]
-        }
-        None => fence.kites[drawn + i - kept.len()].map(renumbered),
-    });
-    let partner_of = |i: usize, side: usize| match partner[2 * kept[i] + side] {
+    let kept = Kept::of(net, bounds);
+    let mut number = vec![NONE; net.edges.len()];
+    kept.rows.iter().zip(0..).for_each(|(&row, place)| number[row as usize] = place);
+    let partner_of = |end: usize| match partner[2 * kept.rows[end / 2] as usize + end % 2] {
         // A cut end goes on outside.
+        _ if kept.ends[end / 2][end % 2] as usize >= net.vertices.len() => NONE,
         NONE => NONE,
-        _ if ends[i][side] as usize >= before => NONE,
-        other => number[other as usize],
+        other if number[other as usize / 2] == NONE => NONE,
+        other => 2 * number[other as usize / 2] + other % 2,
     };
-    let place = |vertex: usize| *net.vertices.get(vertex).unwrap_or_else(|| &places[vertex - before]);
-    Ok(Aged {
-        partner: parallel::map(2 * kept.len(), |end| partner_of(end / 2, end % 2)),
-        age: kept.iter().filter_map(|&k| age.get(k).copied()).collect(),
-        fence: Fence {
-            anchors: others.iter().map(|&vertex| net.vertices[vertex]).chain(fence.anchors.iter().copied()).collect(),
-            kites,
-            shifts: Vec::new(),
-        },
-        net: Net {
-            vertices: parallel::map(used.len(), |i| place(used[i])),
-            edges,
-            cut: used.iter().map(|&vertex| vertex >= before || net.cut[vertex]).collect(),
-            ..Net::default()
-        },
-    })
+    let partner = parallel::map(2 * kept.rows.len(), partner_of);
+    let age = kept.rows.iter().filter_map(|&k| age.get(k as usize).copied()).collect();
+    let (net, fence) = kept.drawn(net, fence);
+    Ok(Aged { net, fence, partner, age })
+}
+
+/// A drawing in the plane under an affine map, `matrix` by rows and then `centre`, and the part of it within bounds.
+///
+/// # Errors
+/// [`crate::Error::BadValue`] for bounds without an area.
+pub fn stretched(
+    net: NetView<'_>,
+    fence: FenceView<'_>,
+    matrix: [Point; 2],
+    centre: Point,
+    bounds: Bounds,
+) -> Result<(Net, Fence)> {
+    check_bounds(bounds)?;
+    let mapped = |points: &[Point]| {
+        parallel::map(points.len(), |i| {
+            let [x, y] = points[i];
+            [0, 1].map(|k| matrix[k][0] * x + matrix[k][1] * y + centre[k])
+        })
+    };
+    let (vertices, anchors) = (mapped(net.vertices), mapped(fence.anchors));
+    let net = NetView { vertices: &vertices, ..net };
+    Ok(Kept::of(net, bounds).drawn(net, FenceView { anchors: &anchors, ..fence }))
 }
 
 /// The edges of which a part lies within bounds.
 struct Kept {
-    rows: Vec<usize>,
+    rows: Vec<u32>,
     /// Their vertices; numbers after those of the drawing are places on the bounds.
     ends: Vec<[i32; 2]>,
-    /// What the ends of all edges are now, or -1.
-    number: Vec<i32>,
     /// Where edges are cut.
     places: Vec<Point>,
 }
@@ -119,22 +108,69 @@ struct Kept {
 impl Kept {
     fn of(net: NetView<'_>, bounds: Bounds) -> Self {
         let (before, drawn) = (net.vertices.len(), net.edges.len());
-        let inside = parallel::map(drawn, |k| within(net.edges[k].map(|v| net.vertices[v as usize]), bounds));
-        let (rows, ends, places) = (Vec::with_capacity(drawn), Vec::with_capacity(drawn), Vec::new());
-        let mut kept = Self { rows, ends, number: vec![NONE; 2 * drawn], places };
-        for (k, cuts) in inside.into_iter().enumerate() {
-            let (Some(cuts), mut edge) = (cuts, net.edges[k]) else { continue };
-            for (side, cut) in cuts.into_iter().enumerate() {
-                kept.number[2 * k + side] = 2 * kept.rows.len() as i32 + side as i32;
-                if let Some(place) = cut {
-                    edge[side] = (before + kept.places.len()) as i32;
+        let cuts = |k: usize| within(net.edges[k].map(|v| net.vertices[v as usize]), bounds);
+        // What lies within as a whole, as nearly all does, needs no more than a look.
+        let is_whole = parallel::map(drawn, |k| cuts(k) == Some([None; 2]));
+        let mut kept = Self { rows: Vec::with_capacity(drawn), ends: Vec::with_capacity(drawn), places: Vec::new() };
+        for (k, is_whole) in is_whole.into_iter().enumerate() {
+            let mut edge = net.edges[k];
+            if !is_whole {
+                let Some(cuts) = cuts(k) else { continue };
+                for (end, place) in edge.iter_mut().zip(cuts) {
+                    let Some(place) = place else { continue };
+                    *end = (before + kept.places.len()) as i32;
                     kept.places.push(place);
                 }
             }
-            kept.rows.push(k);
+            kept.rows.push(k as u32);
             kept.ends.push(edge);
         }
         kept
+    }
+
+    fn drawn(self, net: NetView<'_>, fence: FenceView<'_>) -> (Net, Fence) {
+        let Self { rows: kept, ends, places } = self;
+        let (before, drawn) = (net.vertices.len(), net.edges.len());
+        // Vertices in use first; the others become anchors, which stay where they are.
+        let mut row = vec![NONE; before + places.len()];
+        ends.iter().flatten().for_each(|&vertex| row[vertex as usize] = 0);
+        let (mut used, mut others) = (Vec::with_capacity(row.len()), Vec::new());
+        for (vertex, row) in (0..).zip(&row) {
+            if *row == 0 {
+                used.push(vertex);
+            } else if (vertex as usize) < before {
+                others.push(vertex);
+            }
+        }
+        for (place, &vertex) in used.iter().chain(&others).enumerate() {
+            row[vertex as usize] = place as i32;
+        }
+        let points = (used.len() + others.len()) as i32;
+        let renumbered = |point: i32| match point {
+            NONE => NONE,
+            _ if (point as usize) < before => row[point as usize],
+            _ => points + point - before as i32,
+        };
+        let edges = parallel::map(kept.len(), |i| ends[i].map(|vertex| row[vertex as usize]));
+        let kites = parallel::map(kept.len() + fence.kites.len() - drawn, |i| match kept.get(i) {
+            Some(&k) => {
+                let [_, _, left, right] = fence.kites[k as usize].map(renumbered);
+                [edges[i][0], edges[i][1], left, right]
+            }
+            None => fence.kites[drawn + i - kept.len()].map(renumbered),
+        });
+        let anchors = parallel::map(others.len() + fence.anchors.len(), |i| match others.get(i) {
+            Some(&vertex) => net.vertices[vertex as usize],
+            None => fence.anchors[i - others.len()],
+        });
+        let place = |vertex: usize| *net.vertices.get(vertex).unwrap_or_else(|| &places[vertex - before]);
+        let net = Net {
+            vertices: parallel::map(used.len(), |i| place(used[i] as usize)),
+            edges,
+            cut: used.iter().map(|&vertex: &u32| vertex as usize >= before || net.cut[vertex as usize]).collect(),
+            ..Net::default()
+        };
+        (net, Fence { anchors, kites, shifts: Vec::new() })
     }
 }
 

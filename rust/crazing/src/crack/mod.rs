@@ -22,7 +22,7 @@ mod walls;
 mod warp;
 mod width;
 
-pub use aged::{Aged, trimmed};
+pub use aged::{Aged, stretched, trimmed};
 pub use course::{Course, course};
 pub use fence::{Fence, FenceView};
 pub use growth::arrivals;

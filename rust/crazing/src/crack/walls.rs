@@ -1,5 +1,7 @@
 //! The shut doors of a maze as a drawing, in the plane or on a torus, with the kites of their cells as its fence.
 
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
 use super::fence::Fence;
 use super::net::{NONE, Net};
 use crate::clip::{self, Bounds};
@@ -109,51 +111,57 @@ impl Doors {
         kite_shifts: impl Fn(usize, [i32; 2]) -> [i8; 6] + Sync,
     ) -> Walls {
         let Self { ends, rows, shifts } = self;
-        let (wall, door): (Vec<usize>, Vec<usize>) = (0..rows.len()).partition(|&i| !open[rows[i] as usize]);
-        let (mut number, mut order) = (vec![NONE; places.len()], Vec::new());
-        count(&mut number, &mut order, wall.iter().map(|&i| ends[i]));
+        let is_open = |i: usize| open[rows[i] as usize];
+        let [wall, door] =
+            [false, true].map(|wanted| parallel::compact(rows.len(), |i| (is_open(i) == wanted).then_some(i as u32)));
+        let (mut number, mut order) = (vec![NONE; places.len()], Vec::with_capacity(places.len()));
+        count(&mut number, &mut order, &wall, &ends);
         let drawn = order.len();
-        count(&mut number, &mut order, door.iter().map(|&i| ends[i]));
-        let vertices: Vec<Point> = parallel::map(drawn, |i| places[order[i]]);
-        let mut anchors: Vec<Point> = order[drawn..].iter().map(|&old| places[old]).collect();
-        let sites = (order.len()) as i32;
-        anchors.extend_from_slice(view.sites);
+        count(&mut number, &mut order, &door, &ends);
+        let vertices = parallel::map(drawn, |i| places[order[i] as usize]);
+        let beside = order.len() - drawn;
+        let anchors = parallel::map(beside + view.sites.len(), |i| match order.get(drawn + i) {
+            Some(&old) => places[old as usize],
+            None => view.sites[i - beside],
+        });
+        let sites = order.len() as i32;
         let numbered = |i: usize| ends[i].map(|old| number[old as usize]);
-        let kite = |&i: &usize| {
+        let kite = |i: usize| {
             let ([a, b], [left, right]) = (numbered(i), view.edges[rows[i] as usize]);
             [a, b, sites + left, sites + right]
         };
-        let both = |i: usize| wall.get(i).unwrap_or_else(|| &door[i - wall.len()]);
+        let both = |i: usize| *wall.get(i).unwrap_or_else(|| &door[i - wall.len()]) as usize;
         let fence = Fence {
             anchors,
             kites: parallel::map(rows.len(), |i| kite(both(i))),
             shifts: if shifts.is_empty() {
                 Vec::new()
             } else {
-                parallel::map(rows.len(), |i| kite_shifts(rows[*both(i)] as usize, ends[*both(i)]))
+                parallel::map(rows.len(), |i| kite_shifts(rows[both(i)] as usize, ends[both(i)]))
             },
         };
         let net = Net {
             vertices,
-            edges: parallel::map(wall.len(), |i| numbered(wall[i])),
-            shifts: if shifts.is_empty() { Vec::new() } else { wall.iter().map(|&i| shifts[i]).collect() },
+            edges: parallel::map(wall.len(), |i| numbered(wall[i] as usize)),
+            shifts: if shifts.is_empty() { Vec::new() } else { wall.iter().map(|&i| shifts[i as usize]).collect() },
             period: [0.0; 2],
-            cut: order[..drawn].iter().map(|&old| old >= uncut).collect(),
+            cut: parallel::map(drawn, |i| order[i] as usize >= uncut),
         };
         Walls { net, fence }
     }
 }
 
-/// Numbers the vertices of edges that have no number yet, in the order of the vertices.
-fn count(number: &mut [i32], order: &mut Vec<usize>, edges: impl Iterator<Item = [i32; 2]>) {
-    /// Seen, not yet numbered.
-    const SEEN: i32 = -2;
-    for end in edges.flatten() {
-        let slot = &mut number[end as usize];
-        *slot = if *slot == NONE { SEEN } else { *slot };
-    }
-    for (old, slot) in number.iter_mut().enumerate().filter(|(_, slot)| **slot == SEEN) {
-        *slot = order.len() as i32;
-        order.push(old);
+/// Numbers the vertices of some edges that have no number yet, in the order of the vertices.
+fn count(number: &mut [i32], order: &mut Vec<u32>, some: &[u32], ends: &[[i32; 2]]) {
+    // Marked in any order, the marks are the same.
+    let is_seen = parallel::map(number.len(), |_| AtomicBool::new(false));
+    parallel::each(some.len(), |i| {
+        ends[some[i] as usize].iter().for_each(|&end| is_seen[end as usize].store(true, Relaxed));
+    });
+    for (old, (slot, is_seen)) in (0..).zip(number.iter_mut().zip(is_seen)) {
+        if *slot == NONE && is_seen.into_inner() {
+            *slot = order.len() as i32;
+            order.push(old);
+        }
     }
 }
