@@ -4,6 +4,7 @@
 //! divided about it. So nothing crosses, what was joined stays joined, and later steps find a fence that fits.
 
 mod bed;
+mod index;
 
 use super::fence::{Fence, FenceView};
 use super::net::{NONE, Net, NetView};
@@ -108,18 +109,26 @@ pub(super) fn grown(
         let edges = bed.net.edges.len();
         for from in (0..edges).step_by(TOGETHER) {
             watch.poll()?;
-            // What is tried does not depend on what grew before, and most tries are too long for their edge.
+            bed.settle();
+            // What is tried does not depend on what grew before, and most tries are too long for their edge; where a try
+            // fits neither, but on triangles that others divide meanwhile.
             let tries = parallel::ranges(TOGETHER.min(edges - from), |range| {
                 let mut tries = Vec::new();
                 range.for_each(|i| sow(from + i, bed.net.view().length(from + i), how, key, &mut tries));
-                tries
+                let fitted = |(edge, seed): (usize, Seed)| (edge, fit(&bed, edge, seed.along, &seed), seed);
+                tries.into_iter().map(fitted).collect::<Vec<_>>()
             });
+            // The edge, its last piece, and where that starts.
             let mut place = (usize::MAX, 0, 0.0);
-            for (edge, seed) in tries.iter().flatten() {
+            for (edge, found, seed) in tries.iter().flatten() {
                 if place.0 != *edge {
                     place = (*edge, *edge, 0.0);
                 }
-                plant(&mut bed, &mut place, seed);
+                let is_known = place.1 == *edge && bed.is_settled(*edge);
+                let found = if is_known { *found } else { fit(&bed, place.1, seed.along - place.2, seed) };
+                if let Some((side, foot, tip)) = found {
+                    place = (*edge, bed.grow(place.1, side, foot, tip), seed.along);
+                }
             }
         }
     }
@@ -151,20 +160,14 @@ fn sow(edge: usize, length: f64, how: Stubs, key: Key, tries: &mut Vec<(usize, S
     }
 }
 
-/// Grows a stub if there is room; `place` is the edge, its last piece, and where that starts.
-fn plant(bed: &mut Bed, place: &mut (usize, usize, f64), seed: &Seed) {
-    let (_, piece, start) = *place;
-    let along = seed.along - start;
-    let grown = [seed.side, 1 - seed.side].iter().find_map(|&side| fit(bed, piece, side, along, seed));
-    if let Some((side, foot, tip)) = grown {
-        place.1 = bed.grow(piece, side, foot, tip);
-        place.2 = seed.along;
-    }
+/// Side, foot and tip of a stub on either side of a piece, if there is room.
+fn fit(bed: &Bed, piece: usize, at: f64, seed: &Seed) -> Option<(usize, Point, Point)> {
+    [seed.side, 1 - seed.side].iter().find_map(|&side| fit_on(bed, piece, side, at, seed))
 }
 
-/// Foot and tip of a stub on one side of a piece, if there is room.
-fn fit(bed: &Bed, piece: usize, side: usize, at: f64, seed: &Seed) -> Option<(usize, Point, Point)> {
-    let kite = bed.kite_of[piece];
+/// The same on one side.
+fn fit_on(bed: &Bed, piece: usize, side: usize, at: f64, seed: &Seed) -> Option<(usize, Point, Point)> {
+    let kite = bed.kite_of[piece] as usize;
     let [_, _, left, right] = bed.kites[kite];
     if [left, right][side] < 0 {
         return None;

@@ -1,6 +1,7 @@
 //! The drawing that stubs grow in, and the triangles about its edges.
 
 use super::Grown;
+use super::index::Index;
 use crate::crack::fence::Fence;
 use crate::crack::net::{NONE, Net};
 use crate::diagram::scale::{Scale, largest};
@@ -20,89 +21,17 @@ pub(super) struct Bed {
     pub(super) kites: Vec<[i32; 4]>,
     shifts: Vec<[i8; 6]>,
     /// The kite about every edge.
-    pub(super) kite_of: Vec<usize>,
+    pub(super) kite_of: Vec<u32>,
     /// The kite about two points.
     about: Index,
+    /// Kites that were there before, and whether they were changed since the bed was settled.
+    changed: Vec<bool>,
     /// To the unit of exact work.
     scale: Scale,
 }
 
 /// A point, and the periods at which it is seen.
 type Seen = (i32, [i8; 2]);
-
-/// Rows of kites by their two ends, whichever is first: lists of rows that share a hash.
-struct Index {
-    /// The last row of every list.
-    last: Vec<u32>,
-    /// The row before each in its list.
-    before: Vec<u32>,
-    /// Bits that a hash is shifted by.
-    shift: u32,
-}
-
-impl Index {
-    const END: u32 = u32::MAX;
-
-    /// Kites are looked for by an apex of another and one of its ends: rows of which no end is an apex are left out,
-    /// in a maze all. What grows is inserted.
-    fn of(kites: &[[i32; 4]], points: usize) -> Self {
-        let mut is_apex = vec![false; points];
-        for &apex in kites.iter().flat_map(|[_, _, left, right]| [left, right]).filter(|apex| **apex >= 0) {
-            is_apex[apex as usize] = true;
-        }
-        let wanted = |[a, b, _, _]: &[i32; 4]| is_apex[*a as usize] || is_apex[*b as usize];
-        let count = kites.iter().filter(|kite| wanted(kite)).count();
-        let bits = (count + kites.len() / 4).next_power_of_two().ilog2().max(4);
-        let before = vec![Self::END; kites.len()];
-        let mut index = Self { last: vec![Self::END; 1 << bits], before, shift: 64 - bits };
-        let rows = kites.iter().enumerate().filter(|(_, kite)| wanted(kite));
-        rows.for_each(|(row, kite)| index.insert([kite[0], kite[1]], row));
-        index
-    }
-
-    fn list(&self, [a, b]: [i32; 2]) -> usize {
-        let both = (a.min(b) as u64) << 32 | u64::from(a.max(b) as u32);
-        // Fibonacci hashing: the odd number next to 2^64 over the golden ratio.
-        ((both ^ both >> 29).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> self.shift) as usize
-    }
-
-    fn insert(&mut self, ends: [i32; 2], row: usize) {
-        let list = self.list(ends);
-        if row >= self.before.len() {
-            self.before.resize(row + 1, Self::END);
-        }
-        self.before[row] = std::mem::replace(&mut self.last[list], row as u32);
-    }
-
-    fn remove(&mut self, ends: [i32; 2], row: usize) {
-        let list = self.list(ends);
-        let (mut at, next) = (self.last[list], self.before[row]);
-        if at as usize == row {
-            self.last[list] = next;
-            return;
-        }
-        while at != Self::END {
-            let before = self.before[at as usize];
-            if before as usize == row {
-                self.before[at as usize] = next;
-                return;
-            }
-            at = before;
-        }
-    }
-
-    /// The last row about two ends.
-    fn find(&self, ends: [i32; 2], kites: &[[i32; 4]]) -> Option<usize> {
-        let mut row = self.last[self.list(ends)];
-        while let Some(kite) = kites.get(row as usize) {
-            if [kite[0], kite[1]] == ends || [kite[1], kite[0]] == ends {
-                return Some(row as usize);
-            }
-            row = self.before[row as usize];
-        }
-        None
-    }
-}
 
 impl Bed {
     pub(super) fn of(net: Net, partner: Vec<i32>, fence: Fence, bounds: [f64; 4]) -> Self {
@@ -116,10 +45,27 @@ impl Bed {
             bounds,
             partner,
             origin: (0..edges as i32).collect(),
+            changed: vec![false; fence.kites.len()],
             kites: fence.kites,
             shifts: fence.shifts,
-            kite_of: (0..edges).collect(),
+            kite_of: (0..edges as u32).collect(),
             scale: Scale::of(large),
+        }
+    }
+
+    /// From now on it is noted which kites change.
+    pub(super) fn settle(&mut self) {
+        self.changed.fill(false);
+    }
+
+    /// Whether the kite about an edge is as it was when the bed was settled.
+    pub(super) fn is_settled(&self, edge: usize) -> bool {
+        !self.changed[self.kite_of[edge] as usize]
+    }
+
+    fn change(&mut self, kite: usize) {
+        if let Some(changed) = self.changed.get_mut(kite) {
+            *changed = true;
         }
     }
 
@@ -172,7 +118,7 @@ impl Bed {
 
     /// Divides a piece at the foot of a stub; the piece beyond.
     pub(super) fn grow(&mut self, piece: usize, side: usize, foot: Point, tip: Point) -> usize {
-        let kite = self.kite_of[piece];
+        let kite = self.kite_of[piece] as usize;
         let ([a, b, left, right], end) = (self.kites[kite], self.shift(kite, 1));
         let near = [left, right][side];
         let (near_shift, other, other_shift) =
@@ -224,7 +170,7 @@ impl Bed {
         }
         self.origin.push(origin);
         self.partner.extend([NONE; 2]);
-        self.kite_of.push(self.kites.len());
+        self.kite_of.push(self.kites.len() as u32);
         self.set(self.kites.len(), kite, shift);
         self.net.edges.len() - 1
     }
@@ -238,6 +184,7 @@ impl Bed {
                 self.shifts.push(shift);
             }
         } else {
+            self.change(row);
             self.kites[row] = kite;
             if let Some(old) = self.shifts.get_mut(row) {
                 *old = shift;
@@ -256,6 +203,7 @@ impl Bed {
             if self.kites[row][corner] != old.0 || !same {
                 continue;
             }
+            self.change(row);
             self.kites[row][corner] = new;
             if let Some(shift) = self.shifts.get_mut(row) {
                 shift[2 * corner - 2] = first[0].wrapping_neg();
@@ -276,20 +224,15 @@ impl Bed {
         let mut net = self.net;
         net.vertices.extend(&self.new);
         net.cut.resize(net.vertices.len(), false);
-        net.edges.iter_mut().for_each(|edge| *edge = edge.map(numbered));
+        parallel::alter(&mut net.edges, |edge| *edge = edge.map(numbered));
         let mut is_own = vec![false; self.kites.len()];
-        self.kite_of.iter().for_each(|&row| is_own[row] = true);
-        let others = (0..is_own.len()).filter(|&row| !is_own[row]);
-        let rows: Vec<usize> = self.kite_of.iter().copied().chain(others).collect();
-        let fence = Fence {
-            anchors: self.anchors,
-            kites: parallel::map(rows.len(), |i| self.kites[rows[i]].map(numbered)),
-            shifts: if self.shifts.is_empty() {
-                Vec::new()
-            } else {
-                rows.iter().map(|&row| self.shifts[row]).collect()
-            },
-        };
+        self.kite_of.iter().for_each(|&row| is_own[row as usize] = true);
+        let others = parallel::compact(is_own.len(), |row| (!is_own[row]).then_some(row as u32));
+        let (own, count) = (&self.kite_of, self.kite_of.len() + others.len());
+        let row = |i: usize| *own.get(i).unwrap_or_else(|| &others[i - own.len()]) as usize;
+        let shifts = if self.shifts.is_empty() { Vec::new() } else { parallel::map(count, |i| self.shifts[row(i)]) };
+        let kites = parallel::map(count, |i| self.kites[row(i)].map(numbered));
+        let fence = Fence { anchors: self.anchors, kites, shifts };
         Grown { net, fence, partner: self.partner, origin: self.origin }
     }
 }
