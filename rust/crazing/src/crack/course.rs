@@ -5,11 +5,11 @@ use std::borrow::Cow;
 
 use super::fence::{Fence, FenceView};
 use super::hooks::part;
-use super::net::{NONE, Net, NetView};
+use super::net::{Ends, NONE, Net, NetView};
 use super::pattern::{Pattern, finished};
 use super::roughen::{Roughness, Trace, trace};
-use super::straighten::{Straightening, straighten};
-use super::strand::pairs;
+use super::straighten::{Straightening, straightened};
+use super::strand::paired;
 use super::stubs::{Stubs, grown};
 use super::warp::warp;
 use super::width::Profile;
@@ -22,11 +22,11 @@ use crate::watch::Watch;
 /// The steps of a recipe in their order, those that are wanted, each with the key it draws by.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Course {
-    /// See [`straighten`].
+    /// See [`super::straighten`].
     pub straightening: Option<Straightening>,
     /// See [`super::parted`]: the sharpest turn, and how far along the crack it is looked for.
     pub hooks: Option<[f64; 2]>,
-    /// See [`pairs`]: the sharpest turn.
+    /// See [`super::pairs`]: the sharpest turn.
     pub turn: Option<f64>,
     /// See [`warp`]: its amplitude.
     pub warp: Option<(f64, Key)>,
@@ -66,17 +66,21 @@ pub fn course(
     watch: Watch<'_>,
 ) -> Result<Pattern> {
     let mut stage = Stage::of(net, fence, partner, age);
-    if let Some(how) = how.straightening {
-        stage.vertices = straighten(stage.net(), &stage.partner, stage.fence(), how, watch)?.into();
+    let mut ends = (how.straightening.is_some() || how.turn.is_some()).then(|| Ends::of(stage.net()));
+    if let (Some(how), Some(ends)) = (how.straightening, &ends) {
+        stage.vertices = straightened(stage.net(), ends, &stage.partner, stage.fence(), how, watch)?.into();
     }
     if let Some([sharpest, reach]) = how.hooks {
         let parted = part(stage.net(), &stage.partner, stage.fence(), &stage.age, [sharpest, reach], watch)?;
         stage = Stage::owning(parted.net, parted.fence, parted.partner, parted.age);
+        ends = None;
     }
     if let Some(sharpest) = how.turn {
-        stage.partner = pairs(stage.net(), sharpest).into();
+        let ends = ends.take().unwrap_or_else(|| Ends::of(stage.net()));
+        stage.partner = paired(stage.net(), &ends, sharpest).into();
         stage.age = Cow::default();
     }
+    drop(ends);
     watch.poll()?;
     if let Some((amplitude, key)) = how.warp {
         stage.vertices = warp(stage.net(), stage.fence(), amplitude, bounds, key, watch)?.into();
@@ -89,7 +93,7 @@ pub fn course(
     }
     let trace = match how.roughness {
         Some((how, key)) => trace(stage.net(), &stage.partner, stage.fence(), how, key, watch)?,
-        None => Trace { vertices: stage.vertices.to_vec(), starts: (0..=stage.edges.len()).collect() },
+        None => Trace { vertices: stage.vertices.to_vec(), starts: (0..=stage.edges.len()).collect(), ends: None },
     };
     finished(stage.net(), trace, &stage.partner, &stage.age, how.widths, watch)
 }

@@ -1,6 +1,6 @@
 //! Patterns: cracks with their widths, the last drawing of a recipe.
 
-use super::net::{NONE, Net, NetView};
+use super::net::{Ends, NONE, Net, NetView};
 use super::roughen::Trace;
 use super::roughen::pieces::{pieces_of, repeated, shifts_of};
 use super::strand::{Pieces, Strands, of_pieces};
@@ -57,7 +57,7 @@ pub fn looks(
         (0..chains).flat_map(|k| outer(k).map(|(edge, side)| end_of(partner[2 * edge + side]))).collect();
     let age: Vec<i32> = starts[..chains].iter().filter_map(|&edge| age.get(edge).copied()).collect();
     let whole = NetView { edges: &edges, shifts: &[], ..net };
-    looks_of(net, whole, &starts, &partner, &age, (profile, key), watch)
+    looks_of(net, (whole, None), &starts, &partner, &age, (profile, key), watch)
 }
 
 /// The first edges of chains, and the end: edges that follow one another and meet at vertices where nothing else is.
@@ -75,10 +75,10 @@ fn chains(net: NetView<'_>, partner: &[i32]) -> Vec<usize> {
     (0..edges).filter(|&k| k == 0 || !goes_on(k)).chain([edges]).collect()
 }
 
-/// The same of edges that `starts` says the pieces of; `net` has the pieces.
+/// The same of edges that `starts` says the pieces of; `net` has the pieces. `ends` where it is known who meets where.
 fn looks_of(
     net: NetView<'_>,
-    whole: NetView<'_>,
+    (whole, ends): (NetView<'_>, Option<&Ends>),
     starts: &[usize],
     partner: &[i32],
     age: &[i32],
@@ -87,7 +87,7 @@ fn looks_of(
 ) -> Result<Looks> {
     let mut widths = spans(net);
     watch.poll()?;
-    let strands = of_pieces(whole, partner, age, &Pieces { starts, span: |piece: usize| widths[piece][0] });
+    let strands = of_pieces(whole, ends, partner, age, &Pieces { starts, span: |piece: usize| widths[piece][0] });
     watch.poll()?;
     widen(net, whole, starts, &strands, &profile, key, &mut widths)?;
     watch.poll()?;
@@ -109,11 +109,11 @@ pub(super) fn finished(
     widths: (Profile, Key),
     watch: Watch<'_>,
 ) -> Result<Pattern> {
-    let Trace { vertices, starts } = trace;
+    let Trace { vertices, starts, ends } = trace;
     let whole = NetView { vertices: &vertices[..net.vertices.len()], ..net };
     let (edges, shifts) = (pieces_of(net, &starts), shifts_of(net, &starts));
     let fine = NetView { vertices: &vertices, edges: &edges, shifts: &shifts, ..net };
-    let looks = looks_of(fine, whole, &starts, partner, age, widths, watch)?;
+    let looks = looks_of(fine, (whole, ends.as_ref()), &starts, partner, age, widths, watch)?;
     let mut net = Net { vertices, edges, shifts, period: net.period, cut: Vec::new() };
     net.wrap();
     Ok(Pattern { net, looks })

@@ -51,6 +51,8 @@ pub(super) struct Trace {
     pub(super) vertices: Vec<Point>,
     /// Where the pieces of each edge start, and the end; each has one more than inner vertices.
     pub(super) starts: Vec<usize>,
+    /// Who meets where in the drawing before, if that had to be known.
+    pub(super) ends: Option<Ends>,
 }
 
 /// Subdivides edges and moves the new vertices across them, after moving the vertices inside each crack: along the
@@ -77,7 +79,7 @@ pub fn roughen(
     key: Key,
     watch: Watch<'_>,
 ) -> Result<Rough> {
-    let Trace { vertices, starts } = trace(net, partner, fence, how, key, watch)?;
+    let Trace { vertices, starts, .. } = trace(net, partner, fence, how, key, watch)?;
     watch.poll()?;
     let mut cut = net.cut.to_vec();
     cut.resize(vertices.len(), false);
@@ -112,6 +114,9 @@ pub(super) fn trace(
     let (old, edges) = (vertices.len(), net.edges.len());
     let fineness = Fineness::of(how);
     let depths = parallel::map(edges, |k| {
+        if moved.length(k) <= grain {
+            return 0;
+        }
         let is_tip = net.edges[k].iter().any(|&end| ends.at(end as usize).len() == 1 && !net.cut[end as usize]);
         fineness.halvings(&Room::of(moved, fence, k), &Bow::of(moved, partner, k, rounding), is_tip) as u8
     });
@@ -145,7 +150,7 @@ pub(super) fn trace(
             }
         },
     );
-    Ok(Trace { vertices: places, starts })
+    Ok(Trace { vertices: places, starts, ends: Some(ends) })
 }
 
 /// Moves the vertices of degree 2 across their crack.

@@ -1,5 +1,7 @@
 //! Strands: at every vertex the edges that continue each other best are one crack.
 
+use std::sync::atomic::{AtomicI32, AtomicU64, Ordering::Relaxed};
+
 use super::net::{Ends, NONE, NetView, length};
 use crate::graph::Point;
 use crate::parallel;
@@ -74,12 +76,14 @@ impl Strands {
 /// `age` of every edge, low is old, orders the strands; where there is none the longer is the older.
 pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
     let starts: Vec<usize> = (0..=net.edges.len()).collect();
-    of_pieces(net, partner, age, &Pieces { starts: &starts, span: |edge| net.length(edge) })
+    of_pieces(net, None, partner, age, &Pieces { starts: &starts, span: |edge| net.length(edge) })
 }
 
-/// The same, lengths summed up piece by piece: the same bits as of a drawing in which every piece is an edge.
+/// The same, lengths summed up piece by piece: the same bits as of a drawing in which every piece is an edge. `ends` where
+/// it is known who meets where.
 pub(super) fn of_pieces(
     net: NetView<'_>,
+    ends: Option<&Ends>,
     partner: &[i32],
     age: &[i32],
     pieces: &Pieces<'_, impl Fn(usize) -> f64 + Sync>,
@@ -97,7 +101,7 @@ pub(super) fn of_pieces(
         found.length[strand] = f64::from_bits(!run.shortness);
     }
     found.of_edge = parallel::map(net.edges.len(), |edge| found.strand[found.run_of[edge] as usize] as i32);
-    descend(net, &mut found);
+    descend(net, ends, &mut found);
     found
 }
 
@@ -113,19 +117,26 @@ fn direction(net: NetView<'_>, end: u32) -> Point {
 /// Two edges at a vertex of degree 2 always pair, at degree 3 the two that are best aligned; above, further pairs
 /// join while they are fairly straight. At vertices of degree 3 and above no pair turns by more than `sharpest` radians.
 pub fn pairs(net: NetView<'_>, sharpest: f64) -> Vec<i32> {
-    let ends = Ends::of(net);
+    paired(net, &Ends::of(net), sharpest)
+}
+
+/// The same where it is known who meets where.
+pub(super) fn paired(net: NetView<'_>, ends: &Ends, sharpest: f64) -> Vec<i32> {
     let limit = -libm::cos(sharpest.clamp(0.0, std::f64::consts::PI));
-    let found = parallel::ranges(net.vertices.len(), |range| {
-        let mut found = Vec::with_capacity(range.len());
-        range.for_each(|vertex| pairs_at(net, ends.at(vertex), limit, &mut found));
-        found
+    // Every end is of one vertex: whoever comes to it writes, in any order.
+    let partner = parallel::map(2 * net.edges.len(), |_| AtomicI32::new(NONE));
+    parallel::ranges(net.vertices.len(), |range| {
+        let mut found = Vec::new();
+        for vertex in range {
+            found.clear();
+            pairs_at(net, ends.at(vertex), limit, &mut found);
+            for &[a, b] in &found {
+                partner[a as usize].store(b as i32, Relaxed);
+                partner[b as usize].store(a as i32, Relaxed);
+            }
+        }
     });
-    let mut partner = vec![NONE; 2 * net.edges.len()];
-    for [a, b] in found.into_iter().flatten() {
-        partner[a as usize] = b as i32;
-        partner[b as usize] = a as i32;
-    }
-    partner
+    partner.into_iter().map(AtomicI32::into_inner).collect()
 }
 
 /// Adds the pairs of ends at one vertex; the best-aligned turns by a cosine of at most `limit`, but at degree 2.
@@ -133,6 +144,7 @@ fn pairs_at(net: NetView<'_>, here: &[u32], limit: f64, found: &mut Vec<[u32; 2]
     match *here {
         [] | [_] => return,
         [a, b] => return found.push([a, b]),
+        [a, b, c] => return found.extend(best_of(net, [a, b, c], limit)),
         _ => {}
     }
     let mut pairs = candidates(here.iter().map(|&end| (direction(net, end), end)).collect());
@@ -145,6 +157,19 @@ fn pairs_at(net: NetView<'_>, here: &[u32], limit: f64, found: &mut Vec<[u32; 2]
             found.push([a, b]);
         }
     }
+}
+
+/// The best-aligned of three ends, the first of equal ones, if they are aligned well enough.
+fn best_of(net: NetView<'_>, ends: [u32; 3], limit: f64) -> Option<[u32; 2]> {
+    let ways = ends.map(|end| direction(net, end));
+    let cosine = |i: usize, j: usize| ways[i][0] * ways[j][0] + ways[i][1] * ways[j][1];
+    let (mut best, mut least) = ([0, 1], cosine(0, 1));
+    for [i, j] in [[0, 2], [1, 2]] {
+        if cosine(i, j).total_cmp(&least).is_lt() {
+            (best, least) = ([i, j], cosine(i, j));
+        }
+    }
+    (least <= limit || limit >= 1.0).then(|| best.map(|i| ends[i]))
 }
 
 /// Pairs of ends at one vertex that may continue each other, with the cosine between them.
@@ -207,36 +232,36 @@ fn measured(
     age: &[i32],
     pieces: &Pieces<'_, impl Fn(usize) -> f64 + Sync>,
 ) -> Vec<Run> {
-    let parts = parallel::ranges(lowest.len(), |range| {
-        let mut before = Vec::with_capacity(found.starts[range.end] - found.starts[range.start]);
-        let run = |number: usize| {
-            let length = found.entries_of(number).iter().fold(0.0, |length, &entry| {
-                before.push(length);
-                pieces.along(entry, length)
-            });
-            let (lowest, number) = (lowest[number], number as u32);
-            let age = age.get(lowest as usize).copied().unwrap_or(0);
-            Run { age, shortness: !length.to_bits(), lowest, number }
-        };
-        (range.map(run).collect::<Vec<_>>(), before)
-    });
-    found.before = vec![0.0; found.run_of.len()];
-    let all = parts.iter().flat_map(|(_, before)| before);
-    all.zip(&found.entries).for_each(|(&before, &entry)| found.before[entry as usize / 2] = before);
-    parts.into_iter().flat_map(|(runs, _)| runs).collect()
+    // Every edge is of one run: whoever comes to it writes, in any order.
+    let before = parallel::map(found.run_of.len(), |_| AtomicU64::new(0));
+    let run = |number: usize| {
+        let length = found.entries_of(number).iter().fold(0.0, |length: f64, &entry| {
+            before[entry as usize / 2].store(length.to_bits(), Relaxed);
+            pieces.along(entry, length)
+        });
+        let (lowest, number) = (lowest[number], number as u32);
+        let age = age.get(lowest as usize).copied().unwrap_or(0);
+        Run { age, shortness: !length.to_bits(), lowest, number }
+    };
+    let runs = parallel::map(lowest.len(), run);
+    found.before = before.into_iter().map(|bits| f64::from_bits(bits.into_inner())).collect();
+    runs
 }
 
 /// Finds who abuts whom, and so the generations.
-fn descend(net: NetView<'_>, found: &mut Strands) {
+fn descend(net: NetView<'_>, ends: Option<&Ends>, found: &mut Strands) {
     let tips = |run: usize| match found.entries_of(run) {
         [first, .., last] => [*first, last ^ 1],
         [only] => [*only, only ^ 1],
         [] => [0, 0],
     };
     let runs = found.strand.len();
-    let mut is_tip = vec![false; net.vertices.len()];
-    (0..runs).flat_map(tips).for_each(|end| is_tip[net.vertex(end)] = true);
-    let ends = Ends::at_some(net, |vertex| is_tip[vertex]);
+    let own = ends.is_none().then(|| {
+        let mut is_tip = vec![false; net.vertices.len()];
+        (0..runs).flat_map(tips).for_each(|end| is_tip[net.vertex(end)] = true);
+        Ends::at_some(net, |vertex| is_tip[vertex])
+    });
+    let Some(ends) = ends.or(own.as_ref()) else { return };
     // In the order of the runs, where memory is near: the older strands that each meets.
     let met = parallel::ranges(runs, |range| {
         let (mut older, mut starts, mut alone) = (Vec::new(), Vec::with_capacity(range.len()), Vec::new());

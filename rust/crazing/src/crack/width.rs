@@ -1,5 +1,7 @@
 //! Width: old and long cracks are wide, free tips run out to a point.
 
+mod uneven;
+
 use super::net::NetView;
 use super::noise::power;
 use super::strand::Strands;
@@ -8,6 +10,7 @@ use crate::graph::Point;
 use crate::parallel;
 use crate::quantile;
 use crate::rng::{Key, block, open_unit, stream};
+use uneven::{Knots, Uneven};
 
 /// How wide cracks are.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,6 +85,7 @@ pub(super) fn widen(
     check(profile)?;
     let longest = strands.length.iter().fold(f64::MIN_POSITIVE, |longest, &length| longest.max(length));
     let shapes = parallel::map(strands.run.len(), |run| Shape::of(whole, strands, profile, key, longest, run));
+    let knots = Knots::of(strands, profile, key, starts[whole.edges.len()]);
     parallel::grouped(
         whole.edges.len(),
         |edge| starts[edge],
@@ -92,7 +96,7 @@ pub(super) fn widen(
                 let own;
                 (own, rest) = rest.split_at_mut(starts[edge + 1] - starts[edge]);
                 let run = strands.run_of[edge] as usize;
-                let uneven = Uneven::of(profile, key, strands.strand[run] as usize);
+                let uneven = knots.along(strands, run);
                 let at = |end: u32| faded(net, profile, end);
                 along(&shapes[run], uneven, strands, edge, starts[edge], at, own);
             }
@@ -104,7 +108,7 @@ pub(super) fn widen(
 /// Writes the widths of the pieces of an edge over their lengths.
 fn along(
     shape: &Shape,
-    mut uneven: Uneven,
+    mut uneven: Uneven<'_>,
     strands: &Strands,
     edge: usize,
     start: usize,
@@ -147,43 +151,6 @@ fn factor(spread: f64, key: Key, strand: usize, knot: u64) -> f64 {
     }
     let word = block(key, [strand as u64, knot, stream::WIDTH, 0])[0];
     libm::exp(spread * quantile::normal(open_unit(word)))
-}
-
-/// How width changes along a strand: even between knots one unit apart.
-struct Uneven {
-    spread: f64,
-    unit: f64,
-    key: Key,
-    strand: usize,
-    /// Once one was passed.
-    knot: Option<u64>,
-    /// The factors at the knot and the next.
-    ends: [f64; 2],
-}
-
-impl Uneven {
-    fn of(profile: &Profile, key: Key, strand: usize) -> Self {
-        let spread = if profile.unit > 0.0 { 0.5 * profile.unevenness } else { 0.0 };
-        Self { spread, unit: profile.unit, key, strand, knot: None, ends: [1.0; 2] }
-    }
-
-    fn at(&mut self, run: f64) -> f64 {
-        if self.spread == 0.0 {
-            return 1.0;
-        }
-        let part = run / self.unit;
-        let whole = part.floor();
-        let knot = whole as u64;
-        if self.knot != Some(knot) {
-            let at = |next: u64| factor(self.spread, self.key, self.strand, knot.saturating_add(next));
-            self.ends = match self.knot {
-                Some(last) if last.checked_add(1) == Some(knot) => [self.ends[1], at(2)],
-                _ => [at(1), at(2)],
-            };
-            self.knot = Some(knot);
-        }
-        self.ends[0] + (part - whole) * (self.ends[1] - self.ends[0])
-    }
 }
 
 /// The part of the width that is left at the vertex of an end.
