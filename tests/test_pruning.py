@@ -12,6 +12,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 import crazing as cz
+from crazing import pruning
 
 N = 1000
 T = np.linspace(0, 2 * np.pi, N, endpoint=False)
@@ -76,14 +77,98 @@ def true_axis(shape: str) -> NDArray[np.float64]:
 @pytest.mark.parametrize("kind", ["uniform", "normal"])
 def test_the_pruned_axis_is_near_the_true_one(shape: str, kind: str) -> None:
     true = true_axis(shape)
+    diameter = {"ellipse": 4000, "flower": 2800}[shape]
     for noise in (0.125, 0.25):
-        points, size = moved(1000, shape, kind, noise, 0)
-        drawn = along(one_step(points).prune().inner, 1.0)
-        # One way: nothing is far from the axis. The other: no more is missing than a bit of every tip.
-        assert farthest(drawn, true) <= {"uniform": 2.5, "normal": 3.5}[kind] * size + 0.5
-        # Normal noise of a quarter of the spacing takes more than the 3 % of the diameter that uniform noise leaves it.
-        part = {"uniform": 0.03, "normal": 0.045}[kind]
-        assert farthest(true, drawn) <= part * {"ellipse": 4000, "flower": 2800}[shape]
+        found = []
+        for seed in range(7):
+            points, size = moved(1000, shape, kind, noise, seed)
+            drawn = along(one_step(points).prune().inner, 1.0)
+            # One way: nothing is far from the axis. The other: no more is missing than a bit of every tip.
+            found.append([(farthest(drawn, true) - 0.5) / size, farthest(true, drawn) / diameter])
+        if kind == "uniform":
+            assert (np.array(found) <= [2.5, 0.025]).all()
+        else:
+            # The largest of normal numbers has no bound: half the time the aims are met, and the rest is not far off.
+            assert (np.median(found, axis=0) <= [2.6, 0.03]).all()
+            assert (np.array(found)[:2] <= [2.6, 0.035]).all()
+
+
+def side_counts(s: cz.Skeleton, mask: NDArray[np.bool_]) -> tuple[int, int, int, set[int]]:
+    """Free ends, components and cycles of masked dual edges, and the vertices they have, without what crosses a ring:
+    by the drawn edges alone."""
+    duals = s.diagram.dual_edges
+    drawn = mask & ~s._sides[1] & (duals >= 0).all(axis=1)
+    _, copies = np.unique(s.diagram.vertices, axis=0, return_inverse=True)
+    ends = copies.ravel()[duals[drawn]]
+    ends = ends[ends[:, 0] != ends[:, 1]]
+    size = len(s.diagram.vertices)
+    degrees = np.bincount(ends.ravel(), minlength=size)
+    parts = connected_components(coo_array((np.ones(len(ends)), tuple(ends.T)), (size, size)), directed=False)[0]
+    pieces = int(parts - (degrees == 0).sum())
+    used = np.flatnonzero(degrees)
+    return int((degrees == 1).sum()), pieces, len(ends) - len(used) + pieces, set(used.tolist())
+
+
+GROWN = {
+    "flower": lambda seed: moved(1000, "flower", "normal", 0.2, seed)[0],
+    "ellipse": lambda seed: moved(1000, "ellipse", "uniform", 0.3, seed)[0],
+    "torn": lambda seed: moved(1000, "flower", "normal", 0.4, seed)[0],
+    "crowd": lambda seed: 8 * cz.sample.uniform(400, rng=seed),
+}
+
+
+@pytest.mark.parametrize("shape", GROWN)
+@pytest.mark.parametrize("method", ["one-step", "edge-filter"])
+def test_growing_makes_tips_longer_and_nothing_else(shape: str, method: str) -> None:
+    longer = 0
+    for seed in range(6):
+        s = cz.medial_axis(GROWN[shape](seed), method=method)
+        kept = pruning.without_hairs(s, pruning.Limits())
+        grown = pruning.grown(s, kept)
+        assert (kept <= grown).all() and (grown <= s.axis_mask).all()
+        *before, had = side_counts(s, kept)
+        *after, has = side_counts(s, grown)
+        assert before == after
+        assert had <= has
+        longer += len(has) - len(had)
+        # A tip comes to rest for good.
+        np.testing.assert_array_equal(pruning.grown(s, grown), grown)
+        assert side_counts(s, s.prune().axis_mask)[:3] == tuple(after)
+    assert longer > 0 or shape == "crowd" or method != "one-step"
+
+
+def pairs(s: cz.Skeleton, order: NDArray[np.intp]) -> set[tuple[int, int]]:
+    """The sites on both sides of every edge of the axis, by their rows before they were put in an order."""
+    ends = np.sort(order[s.diagram.edges[s.axis_mask]], axis=1)
+    return set(map(tuple, ends.tolist()))
+
+
+@pytest.mark.parametrize("shape", ["flower", "ellipse"])
+@pytest.mark.parametrize("seed", range(3))
+def test_the_default_is_the_same_moved_turned_scaled_and_in_any_order(shape: str, seed: int) -> None:
+    # More noise may tear the ring, and how it is mended may depend on the order.
+    points = moved(1000, shape, "normal", 0.125, seed)[0]
+    rows = np.arange(len(points))
+    expected = pairs(one_step(points).prune(), rows)
+    assert pairs(one_step(points).prune(), rows) == expected
+    turn = np.array([[np.cos(0.5), np.sin(0.5)], [-np.sin(0.5), np.cos(0.5)]])
+    for other in (points * [-1, 1], points[:, ::-1], points * 2.0**-700, 3 * points @ turn + [700, -20]):
+        assert pairs(one_step(other).prune(), rows) == expected
+    order = np.random.default_rng(seed).permutation(len(points))
+    assert pairs(one_step(points[order]).prune(), order) == expected
+
+
+def test_little_and_even_input_is_pruned() -> None:
+    for n in (3, 4, 5, 12, 99, 100, 101):
+        t = np.linspace(0, 2 * np.pi, n, endpoint=False)
+        circle = one_step(np.column_stack([np.cos(t), np.sin(t)])).prune()
+        assert circle.inner.leaves <= 4
+        assert circle.inner.components <= 1
+    square = np.linspace(0, 1, 41)
+    zero, one = np.zeros(41), np.ones(41)
+    sides = [np.column_stack(xy) for xy in ((square, zero), (square, one), (zero, square), (one, square))]
+    inner = one_step(np.unique(np.vstack(sides), axis=0)).prune().inner
+    assert (inner.leaves, inner.components, cycles(inner)) == (4, 1, 0)
 
 
 def test_radius_is_the_distance_to_the_nearest_site() -> None:

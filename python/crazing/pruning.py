@@ -15,10 +15,8 @@ from crazing.graph import PlanarGraph
 if TYPE_CHECKING:
     from crazing.skeleton import Mask, Skeleton
 
-#: Least part of its ring that an axis edge spans, and noise levels by which the curve rises above a circle of the axis,
-#: if nothing else is asked for. Of the ones tried, those that leave a noisy ellipse 2 leaves and a flower 13 and cut
-#: their tips by less than 3 % of the diameter.
-RESIDUAL, LEVELS = 0.0125, 6.0
+#: Least part of its ring that an axis edge spans, if nothing else is asked for.
+RESIDUAL = 0.0125
 
 
 @dataclass(frozen=True)
@@ -31,8 +29,8 @@ class Limits:
     ratio: float | None = None
     height: float | None = None
     retract: int | None = None
-    #: As `height`, in noise levels of each ring; no parameter, only part of the default.
-    levels: float = 0.0
+    #: By the noise of each ring; no parameter, only part of the default.
+    noise: bool = False
 
     def __post_init__(self) -> None:
         for name in ("residual", "chord", "length", "ratio", "height"):
@@ -40,24 +38,18 @@ class Limits:
                 object.__setattr__(self, name, number(getattr(self, name), name, low=0.0))
         if self.retract is not None:
             count(self.retract, "retract")
-        if all(getattr(self, limit.name) is None for limit in fields(self) if limit.name != "levels"):
+        if all(getattr(self, limit.name) is None for limit in fields(self) if limit.name != "noise"):
             object.__setattr__(self, "residual", RESIDUAL)
-            object.__setattr__(self, "levels", LEVELS)
+            object.__setattr__(self, "noise", True)
 
 
 def prune(skeleton: Skeleton, limits: Limits) -> Skeleton:
     """`skeleton` with the axis that is left by the limits."""
     if skeleton.axis_mask is None:
         raise ValueError(f"the axis of method {skeleton.method!r} has edges that are not dual; it cannot be pruned")
-    diagram, mask = skeleton.diagram, np.array(skeleton.axis_mask)
-    if limits.residual is not None:
-        mask = _peeled(skeleton, mask, skeleton._sides[2], limits.residual)
-    if limits.levels or limits.height is not None:
-        rings = skeleton.ring_mask
-        mask = _core.without_bumps(diagram.arrays, rings, mask, limits.height or 0.0, limits.levels)
-        if limits.residual is not None:
-            # What a bump held on to may be a hair.
-            mask = _peeled(skeleton, mask, skeleton._sides[2], limits.residual)
+    diagram, mask = skeleton.diagram, without_hairs(skeleton, limits)
+    if limits.noise:
+        mask = grown(skeleton, mask)
     if limits.chord is not None:
         mask = _peeled(skeleton, mask, diagram.delaunay.lengths, limits.chord)
     for by_radius, least in ((False, limits.length), (True, limits.ratio)):
@@ -75,6 +67,25 @@ def prune(skeleton: Skeleton, limits: Limits) -> Skeleton:
     known = ("radius", "ring_mask", "_sides")
     vars(pruned).update({name: vars(skeleton)[name] for name in known if name in vars(skeleton)})
     return pruned
+
+
+def without_hairs(skeleton: Skeleton, limits: Limits) -> Mask:
+    """The axis by the limits that look at rings: the residual, and the height or the noise."""
+    mask = np.array(skeleton.axis_mask)
+    if limits.residual is not None:
+        mask = _peeled(skeleton, mask, skeleton._sides[2], limits.residual)
+    if limits.noise or limits.height is not None:
+        mask = _core.without_bumps(skeleton.diagram.arrays, skeleton.ring_mask, mask, limits.height)
+        if limits.residual is not None:
+            # What a bump held on to may be a hair.
+            mask = _peeled(skeleton, mask, skeleton._sides[2], limits.residual)
+    return mask
+
+
+def grown(skeleton: Skeleton, kept: Mask) -> Mask:
+    """A part of the axis, each of its tips as long as the noise lets it be."""
+    assert skeleton.axis_mask is not None
+    return np.asarray(_core.grown(skeleton.diagram.arrays, skeleton.ring_mask, skeleton.axis_mask, kept))
 
 
 def _peeled(skeleton: Skeleton, mask: Mask, worth: NDArray[np.float64], least: float) -> Mask:

@@ -135,9 +135,11 @@ class Skeleton(Record):
         """The same skeleton with an axis without hairs.
 
         What is given is done; what is not given is not done. If nothing is, it is an arc residual of 0.0125, and then
-        a height of six times the noise of the samples, which is estimated on every closed ring of crust from the
-        change of its curvature from sample to sample: nothing on a smooth curve or a polygon, about a pixel's stairs
-        on the contour of a mask.
+        what the noise of the samples allows, which is estimated on every closed ring of crust from the change of its
+        curvature from sample to sample: nothing on a smooth curve or a polygon, about a pixel's stairs on the contour
+        of a mask. A tip stays if the middle of its part of the ring rises, in the mean, above the circle about the end
+        of it by more than noise does anywhere in a ring, some five standard deviations. The tips left then grow again,
+        one way each, up to where the rise is no longer sure; that makes no new tip.
 
         Nothing falls apart: what hangs together inside the rings, or around them, does so afterwards. A component
         whose edges are all too small vanishes. Edges that cross a ring, through gaps that noise leaves in it, hold

@@ -5,7 +5,7 @@ mod families;
 
 use crazing::diagram::diagram;
 use crazing::graph::{components, degrees};
-use crazing::skeleton::{Measure, Rings, axis_edges, branches, curve, longest, one_step};
+use crazing::skeleton::{Height, Measure, Rings, axis_edges, branches, curve, longest, one_step};
 use crazing::{Diagram, Error, Point, Watch};
 use families::{any_points, family, lattice, shuffled};
 use proptest::prelude::*;
@@ -55,6 +55,54 @@ fn residuals_are_ways_along_the_ring() {
         let steps = (p - q).abs().min(60 - (p - q).abs());
         assert!((residual - f64::from(steps) / 60.0).abs() < 1e-9);
     }
+}
+
+/// A wave round a ring with 200 samples, every third a bit off it, and the mask of its crust and of its axis.
+fn wavy() -> (Diagram, Vec<bool>, Vec<bool>) {
+    let place = |i: usize| {
+        let t = i as f64 * std::f64::consts::TAU / 200.0;
+        let radius = 1.0 + 0.3 * (5.0 * t).cos() + if i.is_multiple_of(3) { 0.004 } else { 0.0 };
+        [radius * t.cos(), radius * t.sin()]
+    };
+    let d = of(&(0..200).map(place).collect::<Vec<Point>>());
+    let crust = one_step(d.view()).unwrap();
+    let axis = crust.iter().map(|kept| !kept).collect();
+    (d, crust, axis)
+}
+
+#[test]
+fn tips_are_cut_and_grow_by_the_noise() {
+    let (d, crust, axis) = wavy();
+    let rings = Rings::of(d.view(), &crust, Watch::default()).unwrap();
+    let inside = rings.inside(Watch::default()).unwrap();
+    let axis: Vec<bool> = axis.iter().zip(&inside).map(|(axis, inside)| axis & inside).collect();
+    let leaves = |mask: &[bool]| {
+        let dual: Vec<[i32; 2]> = axis_edges(d.view(), mask);
+        degrees(d.vertices.len(), &dual, Watch::default()).unwrap().into_iter().filter(|&degree| degree == 1).count()
+    };
+    let kept = rings.without_bumps(&axis, Height::Sure, Watch::default()).unwrap();
+    let grown = rings.grown(&axis, &kept, Watch::default()).unwrap();
+    assert!(leaves(&axis) > 20);
+    assert_eq!([leaves(&kept), leaves(&grown)], [5, 5]);
+    assert!(kept.iter().zip(&grown).zip(&axis).all(|((kept, grown), axis)| kept <= grown && grown <= axis));
+    assert!(kept != grown);
+    // A height of nothing cuts nothing, and what is whole does not grow.
+    assert_eq!(rings.without_bumps(&axis, Height::Least(0.0), Watch::default()).unwrap(), axis);
+    assert_eq!(rings.grown(&axis, &axis, Watch::default()).unwrap(), axis);
+}
+
+#[test]
+fn masks_of_another_length_and_interrupts_are_errors_of_tips() {
+    let (d, crust, axis) = wavy();
+    let rings = Rings::of(d.view(), &crust, Watch::default()).unwrap();
+    let short = [true];
+    for (axis, kept, array) in [(&short[..], &axis[..], "axis"), (&axis[..], &short[..], "kept")] {
+        let found = rings.grown(axis, kept, Watch::default());
+        assert_eq!(found, Err(Error::BadLength { array, found: 1, wanted: d.edges.len() }));
+    }
+    let refuse = || false;
+    assert_eq!(rings.grown(&axis, &axis, Watch::new(&refuse)), Err(Error::Interrupted));
+    assert_eq!(rings.without_bumps(&axis, Height::Sure, Watch::new(&refuse)), Err(Error::Interrupted));
 }
 
 #[test]

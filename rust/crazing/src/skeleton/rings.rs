@@ -28,6 +28,7 @@ pub(super) struct Stand {
 #[derive(Debug)]
 pub struct Rings<'a> {
     pub(super) view: DiagramView<'a>,
+    pub(super) scale: Scale,
     /// The sites at a scale near 1.
     pub(super) sites: Vec<Point>,
     pub(super) lines: Vec<Line>,
@@ -55,7 +56,7 @@ impl<'a> Rings<'a> {
         let about = Incidence::of(sites.len(), view.edges);
         let Closed { lines, stands, bridges } = gaps::closed(view, &sites, &about, lines, watch)?;
         let along = lines.iter().map(|line| travelled(line, &sites)).collect();
-        let mut rings = Self { view, sites, lines, stands, along, wall: Vec::new() };
+        let mut rings = Self { view, scale, sites, lines, stands, along, wall: Vec::new() };
         rings.wall = rings.walls(mask, &about, &bridges);
         Ok(rings)
     }
@@ -76,6 +77,11 @@ impl<'a> Rings<'a> {
         let over = bridges.iter().filter(|bridge| self.is_closed(self.stands[bridge.from as usize].line));
         over.flat_map(|bridge| &bridge.edges).for_each(|&k| wall[k as usize] ^= true);
         wall
+    }
+
+    /// A vertex of the diagram at the scale of the sites.
+    pub(super) fn vertex(&self, v: usize) -> Point {
+        self.scale.down(self.view.vertices[v])
     }
 
     fn is_closed(&self, line: i32) -> bool {

@@ -29,7 +29,7 @@ impl Tree {
         self.duals[k][0] != -1
     }
 
-    fn is_tip(&self, v: i32) -> bool {
+    pub(super) fn is_tip(&self, v: i32) -> bool {
         v != -1 && self.degrees[v as usize] == 1
     }
 
@@ -57,5 +57,17 @@ impl Tree {
     pub(super) fn next_tip(&self, v: usize) -> Option<u32> {
         let last = self.about.at(v).iter().copied().find(|&k| self.kept[k as usize]);
         last.filter(|_| self.degrees[v] == 1)
+    }
+
+    /// Takes an edge in again.
+    pub(super) fn join(&mut self, k: u32) {
+        self.kept[k as usize] = true;
+        self.duals[k as usize].iter().for_each(|&v| self.degrees[v as usize] += 1);
+    }
+
+    /// The edges at a vertex that are left out and lead to a vertex of which all are.
+    pub(super) fn left_out(&self, v: i32) -> impl Iterator<Item = u32> {
+        let alone = move |k: u32| self.duals[k as usize].iter().all(|&u| u == v || self.degrees[u as usize] == 0);
+        self.about.at(v as usize).iter().copied().filter(move |&k| !self.kept[k as usize] && alone(k))
     }
 }
