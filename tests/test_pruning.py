@@ -12,7 +12,6 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 import crazing as cz
-from crazing import pruning
 
 N = 1000
 T = np.linspace(0, 2 * np.pi, N, endpoint=False)
@@ -93,57 +92,13 @@ def test_the_pruned_axis_is_near_the_true_one(shape: str, kind: str) -> None:
             assert (np.array(found)[:2] <= [2.6, 0.035]).all()
 
 
-def side_counts(s: cz.Skeleton, mask: NDArray[np.bool_]) -> tuple[int, int, int, set[int]]:
-    """Free ends, components and cycles of masked dual edges, and the vertices they have, without what crosses a ring:
-    by the drawn edges alone."""
-    duals = s.diagram.dual_edges
-    drawn = mask & ~s._sides[1] & (duals >= 0).all(axis=1)
-    _, copies = np.unique(s.diagram.vertices, axis=0, return_inverse=True)
-    ends = copies.ravel()[duals[drawn]]
-    ends = ends[ends[:, 0] != ends[:, 1]]
-    size = len(s.diagram.vertices)
-    degrees = np.bincount(ends.ravel(), minlength=size)
-    parts = connected_components(coo_array((np.ones(len(ends)), tuple(ends.T)), (size, size)), directed=False)[0]
-    pieces = int(parts - (degrees == 0).sum())
-    used = np.flatnonzero(degrees)
-    return int((degrees == 1).sum()), pieces, len(ends) - len(used) + pieces, set(used.tolist())
-
-
-GROWN = {
-    "flower": lambda seed: moved(1000, "flower", "normal", 0.2, seed)[0],
-    "ellipse": lambda seed: moved(1000, "ellipse", "uniform", 0.3, seed)[0],
-    "torn": lambda seed: moved(1000, "flower", "normal", 0.4, seed)[0],
-    "crowd": lambda seed: 8 * cz.sample.uniform(400, rng=seed),
-}
-
-
-@pytest.mark.parametrize("shape", GROWN)
-@pytest.mark.parametrize("method", ["one-step", "edge-filter"])
-def test_growing_makes_tips_longer_and_nothing_else(shape: str, method: str) -> None:
-    longer = 0
-    for seed in range(6):
-        s = cz.medial_axis(GROWN[shape](seed), method=method)
-        kept = pruning.without_hairs(s, pruning.Limits())
-        grown = pruning.grown(s, kept)
-        assert (kept <= grown).all() and (grown <= s.axis_mask).all()
-        *before, had = side_counts(s, kept)
-        *after, has = side_counts(s, grown)
-        assert before == after
-        assert had <= has
-        longer += len(has) - len(had)
-        # A tip comes to rest for good.
-        np.testing.assert_array_equal(pruning.grown(s, grown), grown)
-        assert side_counts(s, s.prune().axis_mask)[:3] == tuple(after)
-    assert longer > 0 or shape == "crowd" or method != "one-step"
-
-
 def pairs(s: cz.Skeleton, order: NDArray[np.intp]) -> set[tuple[int, int]]:
     """The sites on both sides of every edge of the axis, by their rows before they were put in an order."""
     ends = np.sort(order[s.diagram.edges[s.axis_mask]], axis=1)
     return set(map(tuple, ends.tolist()))
 
 
-@pytest.mark.parametrize("shape", ["flower", "ellipse"])
+@pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("seed", range(3))
 def test_the_default_is_the_same_moved_turned_scaled_and_in_any_order(shape: str, seed: int) -> None:
     # More noise may tear the ring, and how it is mended may depend on the order.

@@ -47,9 +47,16 @@ def prune(skeleton: Skeleton, limits: Limits) -> Skeleton:
     """`skeleton` with the axis that is left by the limits."""
     if skeleton.axis_mask is None:
         raise ValueError(f"the axis of method {skeleton.method!r} has edges that are not dual; it cannot be pruned")
-    diagram, mask = skeleton.diagram, without_hairs(skeleton, limits)
+    diagram, mask = skeleton.diagram, np.array(skeleton.axis_mask)
     if limits.noise:
-        mask = grown(skeleton, mask)
+        mask = _core.without_hairs(diagram.arrays, skeleton.ring_mask, mask, limits.residual or 0.0)
+    elif limits.residual is not None:
+        mask = _peeled(skeleton, mask, skeleton._sides[2], limits.residual)
+    if limits.height is not None:
+        mask = _core.without_bumps(diagram.arrays, skeleton.ring_mask, mask, limits.height)
+        if limits.residual is not None:
+            # What a bump held on to may be a hair.
+            mask = _peeled(skeleton, mask, skeleton._sides[2], limits.residual)
     if limits.chord is not None:
         mask = _peeled(skeleton, mask, diagram.delaunay.lengths, limits.chord)
     for by_radius, least in ((False, limits.length), (True, limits.ratio)):
@@ -67,25 +74,6 @@ def prune(skeleton: Skeleton, limits: Limits) -> Skeleton:
     known = ("radius", "ring_mask", "_sides")
     vars(pruned).update({name: vars(skeleton)[name] for name in known if name in vars(skeleton)})
     return pruned
-
-
-def without_hairs(skeleton: Skeleton, limits: Limits) -> Mask:
-    """The axis by the limits that look at rings: the residual, and the height or the noise."""
-    mask = np.array(skeleton.axis_mask)
-    if limits.residual is not None:
-        mask = _peeled(skeleton, mask, skeleton._sides[2], limits.residual)
-    if limits.noise or limits.height is not None:
-        mask = _core.without_bumps(skeleton.diagram.arrays, skeleton.ring_mask, mask, limits.height)
-        if limits.residual is not None:
-            # What a bump held on to may be a hair.
-            mask = _peeled(skeleton, mask, skeleton._sides[2], limits.residual)
-    return mask
-
-
-def grown(skeleton: Skeleton, kept: Mask) -> Mask:
-    """A part of the axis, each of its tips as long as the noise lets it be."""
-    assert skeleton.axis_mask is not None
-    return np.asarray(_core.grown(skeleton.diagram.arrays, skeleton.ring_mask, skeleton.axis_mask, kept))
 
 
 def _peeled(skeleton: Skeleton, mask: Mask, worth: NDArray[np.float64], least: float) -> Mask:

@@ -1,7 +1,7 @@
 //! Curves and skeletons of a diagram.
 
 use crazing::DiagramView;
-use crazing::skeleton::{self, Height};
+use crazing::skeleton;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -97,37 +97,34 @@ pub(crate) fn sides<'py>(
     Ok((PyArray1::from_vec(py, inside), PyArray1::from_vec(py, crossed), PyArray1::from_vec(py, residuals)))
 }
 
-/// An axis without the tips that are no higher than `least`, or, if there is none, than noise of the samples may be.
+/// An axis without the tips that are no higher than `least`.
 #[pyfunction]
 pub(crate) fn without_bumps<'py>(
     py: Python<'py>,
     arrays: Arrays<'py>,
     mask: PyReadonlyArray1<'py, bool>,
     axis: PyReadonlyArray1<'py, bool>,
-    least: Option<f64>,
+    least: f64,
 ) -> PyResult<Mask<'py>> {
     let view = arrays.view()?;
     let (mask, axis) = (column(&mask, "mask", view.edges.len())?, column(&axis, "axis", view.edges.len())?);
-    let height = least.map_or(Height::Sure, Height::Least);
-    let kept = detached(py, |watch| skeleton::Rings::of(view, mask, watch)?.without_bumps(axis, height, watch))?;
+    let kept = detached(py, |watch| skeleton::Rings::of(view, mask, watch)?.without_bumps(axis, least, watch))?;
     Ok(PyArray1::from_vec(py, kept))
 }
 
-/// What is kept of an axis, its tips grown as far as the noise of the samples lets them.
+/// An axis without what spans less than `least` of its ring, and without what noise of the samples explains.
 #[pyfunction]
-pub(crate) fn grown<'py>(
+pub(crate) fn without_hairs<'py>(
     py: Python<'py>,
     arrays: Arrays<'py>,
     mask: PyReadonlyArray1<'py, bool>,
     axis: PyReadonlyArray1<'py, bool>,
-    kept: PyReadonlyArray1<'py, bool>,
+    least: f64,
 ) -> PyResult<Mask<'py>> {
     let view = arrays.view()?;
-    let [mask, axis, kept] =
-        [(&mask, "mask"), (&axis, "axis"), (&kept, "kept")].map(|(array, name)| column(array, name, view.edges.len()));
-    let (mask, axis, kept) = (mask?, axis?, kept?);
-    let grown = detached(py, |watch| skeleton::Rings::of(view, mask, watch)?.grown(axis, kept, watch))?;
-    Ok(PyArray1::from_vec(py, grown))
+    let (mask, axis) = (column(&mask, "mask", view.edges.len())?, column(&axis, "axis", view.edges.len())?);
+    let kept = detached(py, |watch| skeleton::Rings::of(view, mask, watch)?.without_hairs(axis, least, watch))?;
+    Ok(PyArray1::from_vec(py, kept))
 }
 
 /// An axis without the edges worth less than `least`, but for those that hold it together.

@@ -5,7 +5,7 @@ mod families;
 
 use crazing::diagram::diagram;
 use crazing::graph::{components, degrees};
-use crazing::skeleton::{Height, Measure, Rings, axis_edges, branches, curve, longest, one_step};
+use crazing::skeleton::{Measure, Rings, axis_edges, branches, curve, longest, one_step};
 use crazing::{Diagram, Error, Point, Watch};
 use families::{any_points, family, lattice, shuffled};
 use proptest::prelude::*;
@@ -57,52 +57,71 @@ fn residuals_are_ways_along_the_ring() {
     }
 }
 
-/// A wave round a ring with 200 samples, every third a bit off it, and the mask of its crust and of its axis.
-fn wavy() -> (Diagram, Vec<bool>, Vec<bool>) {
-    let place = |i: usize| {
-        let t = i as f64 * std::f64::consts::TAU / 200.0;
-        let radius = 1.0 + 0.3 * (5.0 * t).cos() + if i.is_multiple_of(3) { 0.004 } else { 0.0 };
-        [radius * t.cos(), radius * t.sin()]
+/// Samples of a flower of five petals, each moved by its part of `noise`, in spacings.
+fn wavy(moves: &[[f64; 2]], noise: f64) -> Vec<Point> {
+    let (n, size) = (moves.len() as f64, noise * 8.5 / moves.len() as f64);
+    let place = |(i, [x, y]): (usize, &[f64; 2])| {
+        let t = i as f64 * std::f64::consts::TAU / n;
+        let radius = 1.0 + 0.3 * (5.0 * t).cos();
+        [radius * t.cos() + size * x, radius * t.sin() + size * y]
     };
-    let d = of(&(0..200).map(place).collect::<Vec<Point>>());
-    let crust = one_step(d.view()).unwrap();
-    let axis = crust.iter().map(|kept| !kept).collect();
-    (d, crust, axis)
+    moves.iter().enumerate().map(place).collect()
+}
+
+/// The axis of the one-step crust inside the rings.
+fn inner_axis(rings: &Rings<'_>, crust: &[bool]) -> Vec<bool> {
+    let inside = rings.inside(Watch::default()).unwrap();
+    crust.iter().zip(&inside).map(|(crust, inside)| !crust && *inside).collect()
+}
+
+/// Free ends, components and edges of the drawn dual edges of a mask.
+fn shape(d: &Diagram, mask: &[bool]) -> [usize; 3] {
+    let drawn = axis_edges(d.view(), mask);
+    let ends = degrees(d.vertices.len(), &drawn, Watch::default()).unwrap();
+    let parts = components(d.vertices.len(), &drawn, Watch::default()).unwrap().count as usize;
+    [ends.iter().filter(|&&degree| degree == 1).count(), parts, drawn.len()]
 }
 
 #[test]
-fn tips_are_cut_and_grow_by_the_noise() {
-    let (d, crust, axis) = wavy();
+fn hairs_go_and_petals_stay() {
+    let moves: Vec<[f64; 2]> =
+        (0..1000).map(|i| [f64::from(i * 37 % 101) / 50.0 - 1.0, f64::from(i * 59 % 103) / 51.0 - 1.0]).collect();
+    let d = of(&wavy(&moves, 0.2));
+    let crust = one_step(d.view()).unwrap();
     let rings = Rings::of(d.view(), &crust, Watch::default()).unwrap();
-    let inside = rings.inside(Watch::default()).unwrap();
-    let axis: Vec<bool> = axis.iter().zip(&inside).map(|(axis, inside)| axis & inside).collect();
-    let leaves = |mask: &[bool]| {
-        let dual: Vec<[i32; 2]> = axis_edges(d.view(), mask);
-        degrees(d.vertices.len(), &dual, Watch::default()).unwrap().into_iter().filter(|&degree| degree == 1).count()
-    };
-    let kept = rings.without_bumps(&axis, Height::Sure, Watch::default()).unwrap();
-    let grown = rings.grown(&axis, &kept, Watch::default()).unwrap();
-    assert!(leaves(&axis) > 20);
-    assert_eq!([leaves(&kept), leaves(&grown)], [5, 5]);
-    assert!(kept.iter().zip(&grown).zip(&axis).all(|((kept, grown), axis)| kept <= grown && grown <= axis));
-    assert!(kept != grown);
-    // A height of nothing cuts nothing, and what is whole does not grow.
-    assert_eq!(rings.without_bumps(&axis, Height::Least(0.0), Watch::default()).unwrap(), axis);
+    let axis = inner_axis(&rings, &crust);
+    let kept = rings.without_hairs(&axis, 0.0125, Watch::default()).unwrap();
+    assert!(shape(&d, &axis)[0] > 100);
+    assert_eq!(shape(&d, &kept)[..2], [5, 1]);
+    // Cut shorter by a bump's height, tips come back; where nothing is cut, nothing grows.
+    let short = rings.without_bumps(&axis, 0.1, Watch::default()).unwrap();
+    let grown = rings.grown(&axis, &short, Watch::default()).unwrap();
+    let ([leaves, parts, edges], [ends, pieces, more]) = (shape(&d, &short), shape(&d, &grown));
+    assert_eq!([leaves, parts], [5, 1]);
+    assert_eq!([ends, pieces], [5, 1]);
+    assert!(more > edges + 5);
+    assert_eq!(rings.without_bumps(&axis, 0.0, Watch::default()).unwrap(), axis);
     assert_eq!(rings.grown(&axis, &axis, Watch::default()).unwrap(), axis);
 }
 
 #[test]
 fn masks_of_another_length_and_interrupts_are_errors_of_tips() {
-    let (d, crust, axis) = wavy();
+    let d = of(&wavy(&[[0.0; 2]; 200], 0.0));
+    let crust = one_step(d.view()).unwrap();
     let rings = Rings::of(d.view(), &crust, Watch::default()).unwrap();
-    let short = [true];
-    for (axis, kept, array) in [(&short[..], &axis[..], "axis"), (&axis[..], &short[..], "kept")] {
-        let found = rings.grown(axis, kept, Watch::default());
-        assert_eq!(found, Err(Error::BadLength { array, found: 1, wanted: d.edges.len() }));
+    let (whole, wanted) = (vec![true; d.edges.len()], d.edges.len());
+    for other in [vec![true], vec![true; wanted + 1]] {
+        let found = other.len();
+        let bad = |array| Err(Error::BadLength { array, found, wanted });
+        assert_eq!(rings.grown(&other, &whole, Watch::default()), bad("axis"));
+        assert_eq!(rings.grown(&whole, &other, Watch::default()), bad("kept"));
+        assert_eq!(rings.without_bumps(&other, 1.0, Watch::default()), bad("axis"));
+        assert_eq!(rings.without_hairs(&other, 0.1, Watch::default()), bad("axis"));
     }
     let refuse = || false;
+    let axis = inner_axis(&rings, &crust);
     assert_eq!(rings.grown(&axis, &axis, Watch::new(&refuse)), Err(Error::Interrupted));
-    assert_eq!(rings.without_bumps(&axis, Height::Sure, Watch::new(&refuse)), Err(Error::Interrupted));
+    assert_eq!(rings.without_hairs(&axis, 0.1, Watch::new(&refuse)), Err(Error::Interrupted));
 }
 
 #[test]
@@ -172,6 +191,31 @@ proptest! {
         prop_assert!(degrees.iter().all(|&degree| degree <= 2));
         let other = of(&shuffled(&points, seed));
         prop_assert!(curve(other.view(), Watch::default()).is_ok());
+    }
+
+    #[test]
+    fn growing_makes_tips_longer_and_nothing_else(
+        moves in prop::collection::vec([-1.0..1.0_f64, -1.0..1.0], 120..400),
+        noise in 0.0..0.6_f64,
+        height in 0.0..0.3_f64,
+    ) {
+        let d = of(&wavy(&moves, noise));
+        let Ok(crust) = one_step(d.view()) else { return Ok(()) };
+        let rings = Rings::of(d.view(), &crust, Watch::default()).unwrap();
+        let axis = inner_axis(&rings, &crust);
+        let kept = rings.without_bumps(&axis, height, Watch::default()).unwrap();
+        let grown = rings.grown(&axis, &kept, Watch::default()).unwrap();
+        prop_assert!(kept.iter().zip(&grown).zip(&axis).all(|((kept, grown), axis)| kept <= grown && grown <= axis));
+        let ([leaves, parts, edges], [ends, pieces, more]) = (shape(&d, &kept), shape(&d, &grown));
+        prop_assert_eq!([leaves, parts], [ends, pieces]);
+        // As many vertices as edges are new: no cycle.
+        let used = |mask: &[bool]| {
+            let ends = degrees(d.vertices.len(), &axis_edges(d.view(), mask), Watch::default()).unwrap();
+            ends.iter().filter(|&&degree| degree > 0).count()
+        };
+        prop_assert_eq!(used(&grown) - used(&kept), more - edges);
+        // A tip comes to rest for good.
+        prop_assert_eq!(rings.grown(&axis, &grown, Watch::default()).unwrap(), grown);
     }
 
     #[test]

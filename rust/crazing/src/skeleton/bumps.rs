@@ -5,9 +5,9 @@ use std::collections::BinaryHeap;
 
 use super::cost::distance;
 use super::rings::{Line, Rings};
-use super::rise::Arc;
+use super::rise::{Arc, Ring};
 use super::tree::Tree;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::graph::Point;
 use crate::watch::Watch;
 
@@ -53,42 +53,34 @@ pub(super) fn noise(line: &Line, sites: &[Point]) -> Option<f64> {
     Some(quartile / (QUANTILE * 5.0_f64.sqrt()))
 }
 
-/// What a tip has to rise above the circle about the end of it that is nearer to the rest of the axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Height {
-    /// At some place of the line by so much, in the unit of the sites.
-    Least(f64),
-    /// In its middle, in the mean, by so much that noise does not do that once in a whole line: in standard deviations
-    /// [`SURE`] more than the largest of as many normal numbers as the line has samples.
-    Sure,
-}
-
-/// See [`Height::Sure`]: 5 standard deviations in all on a ring of 1000 samples. Neither 4.5 nor 6 leave other tips of
-/// noisy flowers.
+/// A rise is sure if noise does not do that once in a whole line: by so many standard deviations more than the largest
+/// of as many normal numbers as the line has samples is. 5 in all with 1000 samples; neither 4.5 nor 6 leave other tips
+/// of noisy flowers.
 const SURE: f64 = 1.3;
 
 impl Rings<'_> {
     /// The axis, a mask of dual edges, without the tips that are bumps of the line: the one with the least residual
-    /// goes first, as long as the line between the two sites of an edge does not rise as it has to.
+    /// goes first, as long as the line between the two sites of an edge rises above the circle about that end of it
+    /// which is nearer to the rest of the axis by less than `least`.
     ///
     /// Edges whose sites are a quarter of their line apart stay, and so does all that is no tip: one component stays
     /// one.
     ///
     /// # Errors
-    /// [`Error::BadLength`], [`Error::Interrupted`].
-    pub fn without_bumps(&self, axis: &[bool], height: Height, watch: Watch<'_>) -> Result<Vec<bool>> {
-        let (found, wanted) = (axis.len(), self.view.edges.len());
-        if found != wanted {
-            return Err(Error::BadLength { array: "axis", found, wanted });
-        }
-        let known = if height == Height::Sure { self.known() } else { Vec::new() };
-        let is_bump = |arc: &Arc, centre: Point| match height {
-            Height::Least(least) => self.stays_below(arc, centre, self.scale.down([least, 0.0])[0]),
-            Height::Sure => known[arc.line].as_ref().is_some_and(|ring| {
-                let samples = self.lines[arc.line].sites.len() as f64;
-                self.rise(arc, ring, centre) < SURE + (2.0 * libm::log(samples)).sqrt()
-            }),
-        };
+    /// [`crate::Error::BadLength`], [`crate::Error::Interrupted`].
+    pub fn without_bumps(&self, axis: &[bool], least: f64, watch: Watch<'_>) -> Result<Vec<bool>> {
+        self.check("axis", axis)?;
+        let least = self.scale.down([least, 0.0])[0];
+        self.without_low(axis, |arc, centre| self.stays_below(arc, centre, least), watch)
+    }
+
+    /// The same by whether an arc is low over the circle about a place.
+    pub(super) fn without_low(
+        &self,
+        axis: &[bool],
+        is_low: impl Fn(&Arc, Point) -> bool,
+        watch: Watch<'_>,
+    ) -> Result<Vec<bool>> {
         let mut tree = Tree::of(self.view, axis);
         let queued = |k: u32| {
             let [p, q] = self.view.edges[k as usize].map(|site| site as usize);
@@ -101,12 +93,20 @@ impl Rings<'_> {
             steps += 1;
             let inner = tree.inner(k);
             let arc = self.arc(self.view.edges[k as usize]).filter(|_| f64::from_bits(bits) < BUMP);
-            if arc.is_some_and(|arc| is_bump(&arc, self.vertex(inner))) {
+            if arc.is_some_and(|arc| is_low(&arc, self.vertex(inner))) {
                 tree.cut(k);
                 queue.extend(tree.next_tip(inner).map(queued));
             }
         }
         Ok(tree.kept)
+    }
+
+    /// Whether noise may have raised an arc over the circle about `centre`; never where it is not known.
+    pub(super) fn is_noise(&self, arc: &Arc, centre: Point, known: &[Option<Ring>]) -> bool {
+        known[arc.line].as_ref().is_some_and(|ring| {
+            let samples = self.lines[arc.line].sites.len() as f64;
+            self.rise(arc, ring, centre) < SURE + (2.0 * libm::log(samples)).sqrt()
+        })
     }
 
     /// Whether an arc stays within a height over the circle about `centre` through its ends. Looked at from its middle

@@ -31,7 +31,6 @@ mod tips;
 mod tree;
 
 pub use branches::{Measure, branches};
-pub use bumps::Height;
 pub use curve::{curve, curve_edges};
 pub use drawn::{OneStep, axis_edges, one_step_drawn};
 pub use gabriel::gabriel;

@@ -36,7 +36,7 @@ pub struct Rings<'a> {
     /// How far along its line each of its sites stands, and at last its length.
     pub(super) along: Vec<Vec<f64>>,
     /// Edges that part inside from outside.
-    wall: Vec<bool>,
+    pub(super) wall: Vec<bool>,
 }
 
 impl<'a> Rings<'a> {
@@ -45,10 +45,7 @@ impl<'a> Rings<'a> {
     /// # Errors
     /// [`Error::BadLength`], [`Error::Interrupted`].
     pub fn of(view: DiagramView<'a>, mask: &[bool], watch: Watch<'_>) -> Result<Self> {
-        let (found, wanted) = (mask.len(), view.edges.len());
-        if found != wanted {
-            return Err(Error::BadLength { array: "mask", found, wanted });
-        }
+        fits("mask", mask, view)?;
         let scale = Scale::of(largest(view.sites));
         let sites: Vec<Point> = view.sites.iter().map(|&p| scale.down(p)).collect();
         let kept: Vec<[i32; 2]> = view.edges.iter().zip(mask).filter(|(_, kept)| **kept).map(|(&e, _)| e).collect();
@@ -77,6 +74,11 @@ impl<'a> Rings<'a> {
         let over = bridges.iter().filter(|bridge| self.is_closed(self.stands[bridge.from as usize].line));
         over.flat_map(|bridge| &bridge.edges).for_each(|&k| wall[k as usize] ^= true);
         wall
+    }
+
+    /// Refuses a mask that is not of the edges.
+    pub(super) fn check(&self, array: &'static str, mask: &[bool]) -> Result<()> {
+        fits(array, mask, self.view)
     }
 
     /// A vertex of the diagram at the scale of the sites.
@@ -126,6 +128,11 @@ impl<'a> Rings<'a> {
         let way = ((along[b.place as usize] - along[a.place as usize]) / length).abs();
         if self.lines[a.line as usize].closed { way.min(1.0 - way) } else { way }
     }
+}
+
+fn fits(array: &'static str, mask: &[bool], view: DiagramView<'_>) -> Result<()> {
+    let (found, wanted) = (mask.len(), view.edges.len());
+    if found == wanted { Ok(()) } else { Err(Error::BadLength { array, found, wanted }) }
 }
 
 /// The lines, rings without their first site again. What has fewer than three sites is no ring.

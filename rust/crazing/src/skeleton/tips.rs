@@ -1,10 +1,11 @@
 //! Tips that pruning cut shorter than the noise of the samples asks for, let grow again.
 
 use super::cost::distance;
+use super::peel::peeled;
 use super::rings::Rings;
 use super::rise::Ring;
 use super::tree::Tree;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::watch::Watch;
 
 /// Least rise, in standard deviations, above the circle about the end that an edge goes on from: one noise exceeds in
@@ -21,6 +22,26 @@ const SINE: f64 = 0.4;
 const STEPS: usize = 12;
 
 impl Rings<'_> {
+    /// The axis, a mask of dual edges, without hairs: what spans less than a part of its line goes, then the tips that
+    /// noise of the samples may have raised, and those that are left grow again as far as it lets them.
+    ///
+    /// What crosses a ring holds nothing together: it stays if it spans as much.
+    ///
+    /// # Errors
+    /// [`crate::Error::BadLength`], [`crate::Error::Interrupted`].
+    pub fn without_hairs(&self, axis: &[bool], least: f64, watch: Watch<'_>) -> Result<Vec<bool>> {
+        self.check("axis", axis)?;
+        let (worth, known) = (self.residuals(), self.known());
+        let peel = |axis: &[bool]| -> Result<Vec<bool>> {
+            let found = peeled(self.view, &self.open(axis), &worth, least, watch)?;
+            let stays = |k: usize| found[k] || (axis[k] && self.wall[k] && worth[k] >= least);
+            Ok((0..found.len()).map(stays).collect())
+        };
+        let kept = self.without_low(&peel(axis)?, |arc, centre| self.is_noise(arc, centre, &known), watch)?;
+        // What a bump held on to may be a hair.
+        self.longer(axis, &peel(&kept)?, &known, watch)
+    }
+
     /// `kept`, a part of the axis, with every tip grown outwards, one way each, as long as the line rises above the
     /// circles of the axis by more than noise explains.
     ///
@@ -28,16 +49,15 @@ impl Rings<'_> {
     /// tip, cycle or component.
     ///
     /// # Errors
-    /// [`Error::BadLength`], [`Error::Interrupted`].
+    /// [`crate::Error::BadLength`], [`crate::Error::Interrupted`].
     pub fn grown(&self, axis: &[bool], kept: &[bool], watch: Watch<'_>) -> Result<Vec<bool>> {
-        let wanted = self.view.edges.len();
-        for (array, found) in [("axis", axis.len()), ("kept", kept.len())] {
-            if found != wanted {
-                return Err(Error::BadLength { array, found, wanted });
-            }
-        }
-        let open: Vec<bool> = axis.iter().zip(self.walls_between()).map(|(axis, wall)| axis & !wall).collect();
-        let mut growth = Growth { rings: self, known: self.known(), tree: Tree::of(self.view, &open) };
+        self.check("axis", axis)?;
+        self.check("kept", kept)?;
+        self.longer(axis, kept, &self.known(), watch)
+    }
+
+    fn longer(&self, axis: &[bool], kept: &[bool], known: &[Option<Ring>], watch: Watch<'_>) -> Result<Vec<bool>> {
+        let mut growth = Growth { rings: self, known, tree: Tree::of(self.view, &self.open(axis)) };
         for (k, kept) in kept.iter().enumerate() {
             if growth.tree.kept[k] && growth.tree.is_drawn(k) && !kept {
                 growth.tree.cut(k as u32);
@@ -53,7 +73,12 @@ impl Rings<'_> {
             }
         }
         let grown = |k: usize| growth.tree.is_drawn(k) && growth.tree.kept[k];
-        Ok((0..wanted).map(|k| kept[k] || grown(k)).collect())
+        Ok(kept.iter().enumerate().map(|(k, &kept)| kept || grown(k)).collect())
+    }
+
+    /// A mask without the edges between whose ends a ring passes.
+    fn open(&self, axis: &[bool]) -> Vec<bool> {
+        axis.iter().zip(&self.wall).map(|(axis, wall)| axis & !wall).collect()
     }
 
     /// The lines of which the noise is known.
@@ -64,7 +89,7 @@ impl Rings<'_> {
 
 struct Growth<'a> {
     rings: &'a Rings<'a>,
-    known: Vec<Option<Ring>>,
+    known: &'a [Option<Ring>],
     tree: Tree,
 }
 
