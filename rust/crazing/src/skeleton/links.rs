@@ -8,8 +8,8 @@ use crate::parallel;
 /// No triangle across: the outside.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// For every side of every triangle the same side as seen from across, or [`NONE`]. Side `3 t + j` runs from corner `j`
-/// of triangle `t` to the next one, counter-clockwise; there are fewer than 2^32 of them.
+/// For every side of every triangle the same side as seen from across, or the largest number. Side `3 t + j` runs from
+/// corner `j` of triangle `t` to the next one, counter-clockwise; there are fewer than 2^32 of them.
 ///
 /// Several methods walk along these links; whoever calls more than one of them makes them once.
 pub fn links(view: DiagramView<'_>) -> Vec<u32> {
