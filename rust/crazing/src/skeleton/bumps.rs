@@ -91,6 +91,10 @@ impl Rings<'_> {
         while let Some(Reverse((bits, k))) = queue.pop() {
             watch.poll_at(steps)?;
             steps += 1;
+            if !tree.kept[k as usize] {
+                // The last edge of two is queued by both.
+                continue;
+            }
             let inner = tree.inner(k);
             let arc = self.arc(self.view.edges[k as usize]).filter(|_| f64::from_bits(bits) < BUMP);
             if arc.is_some_and(|arc| is_low(&arc, self.vertex(inner))) {
