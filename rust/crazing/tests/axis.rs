@@ -125,6 +125,26 @@ fn masks_of_another_length_and_interrupts_are_errors_of_tips() {
 }
 
 #[test]
+fn a_hair_of_two_edges_goes_as_a_whole() {
+    let moves: Vec<[f64; 2]> = (0..200).map(|i| [f64::from(i).sin(), f64::from(7 * i).cos()]).collect();
+    let d = of(&wavy(&moves, 0.2));
+    let crust = one_step(d.view()).unwrap();
+    let rings = Rings::of(d.view(), &crust, Watch::default()).unwrap();
+    let (axis, residuals) = (inner_axis(&rings, &crust), rings.residuals());
+    let mut twos = 0;
+    for v in 0..d.vertices.len() as i32 {
+        let near = |k: usize| axis[k] && residuals[k] < 0.1 && d.dual_edges[k].contains(&v);
+        let mask: Vec<bool> = (0..axis.len()).map(near).collect();
+        let drawn = axis_edges(d.view(), &mask).len();
+        if mask.iter().filter(|&&kept| kept).count() == 2 && drawn == 2 {
+            twos += 1;
+            assert!(!rings.without_bumps(&mask, 10.0, Watch::default()).unwrap().contains(&true));
+        }
+    }
+    assert!(twos > 0);
+}
+
+#[test]
 fn a_gap_of_a_few_steps_is_closed_and_a_wide_one_is_not() {
     let d = of(&family("circle", 200, 0));
     let crust = one_step(d.view()).unwrap();
