@@ -16,7 +16,7 @@ from PIL import Image
 
 import crazing as cz
 from crazing.pictures import layouts, tiff
-from crazing.pictures.samples import FORMATS, PICTURES
+from crazing.pictures.samples import FORMATS, PICTURES, samples
 
 SIZE = (300, 520)
 LABELS = ("cell", "strand", "generation")
@@ -256,3 +256,37 @@ def test_bad_arguments_leave_nothing(tmp_path, monkeypatch, texture, crack, give
 def test_a_map_that_was_not_drawn_is_named(tmp_path, crack) -> None:
     with pytest.raises(ValueError, match="a map to be saved is 'ao'"):
         cz.texture(crack, 32, maps=["roughness"]).save(tmp_path / "a", maps=["orm"])
+
+
+def around(levels: np.ndarray, low: float, steep: float) -> np.ndarray:
+    """Numbers whose levels change from one to the next, and beyond the last ones, in the order of rows of a picture."""
+    at = ((levels - 0.5) / steep + low).astype(np.float32)
+    beside = [np.nextafter(at, np.float32(to)) for to in (-np.inf, np.inf)]
+    beyond = np.array([0.0, -0.0, 1.0, -1.0, 1e-41, -1e-41, 3e38, -3e38, np.inf, -np.inf], dtype=np.float32)
+    return np.concatenate([at, *beside, beyond])
+
+
+@pytest.mark.parametrize("kind", ["float16", "float32", "float64"])
+@pytest.mark.parametrize(
+    ("picture", "form", "low", "half"),
+    [
+        *((picture, "png16", 0.0, 1.0) for picture in ("height", "ao", "wear")),
+        ("height", "png8", 0.0, 1.0),
+        ("roughness", "png", 0.0, 1.0),
+        *((picture, form, -1.0, 0.5) for picture in ("normal_gl", "direction") for form in ("tiff16", "png8")),
+        *(("distance", form, -0.3, 0.5 / 0.3) for form in ("tiff16", "png8")),
+    ],
+)
+def test_levels_are_the_nearest_to_the_last_bit(picture, form, low, half, kind) -> None:
+    dtype = np.dtype(np.uint8 if form in ("png", "png8") else np.uint16)
+    top = np.iinfo(dtype).max
+    numbers = around(np.arange(-3, top + 4), low, half * top)
+    with np.errstate(over="ignore"):
+        numbers = numbers.astype(kind)
+    with np.errstate(over="ignore"):
+        steps = numbers.astype(np.float32) - np.float32(low)
+        wanted = (steps * np.float32(half * top) + np.float32(0.5)).clip(0, top).astype(dtype)
+    for shape in ((-1, 1), (1, -1)):
+        found = samples(picture, numbers.reshape(shape), FORMATS[form], 0.3)
+        assert found.dtype == dtype
+        np.testing.assert_array_equal(found.reshape(-1), wanted)

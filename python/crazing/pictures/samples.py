@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from crazing import _core
 from crazing.errors import CrazingError
 
 #: The maps of a texture that each picture is made of; a picture named nowhere is the map of that name.
@@ -108,16 +109,7 @@ def _levels(picture: str, numbers: NDArray[Any], dtype: np.dtype[Any], reach: fl
     top = np.iinfo(dtype).max
     out = np.empty(numbers.shape, dtype=dtype)
     half, low = (0.5, -1.0) if picture in VECTORS else (0.5 / reach, -reach) if picture == "distance" else (1.0, 0.0)
-    # A few rows at a time stay in the cache from one step to the next.
-    step = max(1, (1 << 17) // max(1, numbers[0].size))
-    for y in range(0, len(numbers), step):
-        part = numbers[y : y + step].astype(np.float32)
-        if low:
-            part -= np.float32(low)
-        part *= np.float32(half * top)
-        part += np.float32(0.5)
-        np.clip(part, 0, top, out=part)
-        out[y : y + step] = part
+    _core.levels(np.ascontiguousarray(numbers, dtype=np.float32), low, half * top, out)
     return out
 
 

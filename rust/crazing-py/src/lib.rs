@@ -60,7 +60,7 @@ mod _core {
         one_step, peeled, poles, poles_axis, sides, two_pass, without_bumps, without_hairs,
     };
     #[pymodule_export]
-    use crate::texture::{extent, plates, texture};
+    use crate::texture::{extent, levels, plates, texture};
     #[pymodule_export]
     use crate::tiff::tiff_tiles;
 

@@ -1,7 +1,8 @@
 //! Maps of a crack pattern into arrays that NumPy owns.
 
+use crazing::levels::Scale;
 use crazing::texture::{Maps, Material, Pattern, Sides, View, Window, texture as draw};
-use numpy::{Element, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArrayDyn};
+use numpy::{Element, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn, PyReadwriteArrayDyn};
 use pyo3::prelude::*;
 
 use crate::arrays::{rows, table};
@@ -130,4 +131,33 @@ pub(crate) fn texture(
         generation: slice(&mut generation)?,
     };
     detached(py, |watch| draw(pattern, sides, &view, window, &material, key, threads, watch, maps))
+}
+
+/// Levels of either kind.
+#[derive(FromPyObject)]
+pub(crate) enum Levels<'py> {
+    Shallow(PyReadwriteArrayDyn<'py, u8>),
+    Deep(PyReadwriteArrayDyn<'py, u16>),
+}
+
+/// Writes C-contiguous numbers as the nearest levels into an array of the same size; `low` is level 0.
+#[pyfunction]
+pub(crate) fn levels(
+    py: Python<'_>,
+    numbers: PyReadonlyArrayDyn<'_, f32>,
+    low: f32,
+    steep: f32,
+    out: Levels<'_>,
+) -> PyResult<()> {
+    let (numbers, scale) = (numbers.as_slice()?, Scale { low, steep });
+    match out {
+        Levels::Shallow(mut out) => {
+            let out = out.as_slice_mut()?;
+            detached(py, |_| scale.levels(numbers, out))
+        }
+        Levels::Deep(mut out) => {
+            let out = out.as_slice_mut()?;
+            detached(py, |_| scale.levels(numbers, out))
+        }
+    }
 }

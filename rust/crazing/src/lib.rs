@@ -12,6 +12,7 @@ pub mod error;
 pub mod graph;
 mod huffman;
 pub mod incidence;
+pub mod levels;
 pub mod maze;
 pub mod measure;
 mod parallel;
