@@ -52,10 +52,8 @@ class Writer:
         """Append a band of rows as one row of tiles."""
         small = np.ascontiguousarray(samples, dtype=self.dtype.newbyteorder("<"))
         rows = small.reshape(*samples.shape[:2], -1).view(np.uint8)
-        found = _core.tiff_tiles(rows, self.dtype.itemsize, self.dtype.kind == "f", (self.band, TILE))
-        for tile in found:
-            self.part.write(tile)
-        sizes = [len(tile) for tile in found]
+        kind = self.dtype.itemsize, self.dtype.kind == "f"
+        sizes = _core.tiff_tiles(self.part, rows, *kind, (self.band, TILE))  # type: ignore[arg-type]
         self.sizes += sizes
         return {**self.part.band(), "sizes": sizes}
 

@@ -1,5 +1,7 @@
-//! One door between Python and the core: detaches the interpreter, answers Ctrl-C, maps errors, stops panics.
+//! One door between Python and the core: detaches the interpreter, answers Ctrl-C, maps errors, stops panics; and lets
+//! the core write to a file of Python's.
 
+use std::io::{self, BufWriter, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -8,6 +10,7 @@ use crazing::{Error, Watch};
 use pyo3::create_exception;
 use pyo3::exceptions::{PyKeyboardInterrupt, PyMemoryError, PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 create_exception!(crazing, CrazingError, PyValueError, "An input that crazing cannot work with.");
 create_exception!(
@@ -20,6 +23,9 @@ create_exception!(crazing, InternalError, PyRuntimeError, "A bug in crazing; ple
 
 /// Time between two looks for a signal.
 const LOOK: Duration = Duration::from_millis(50);
+
+/// Bytes handed to Python at once.
+const CHUNK: usize = 1 << 20;
 
 /// Runs `work` without the interpreter. `work` stops soon after a signal handler raises.
 pub(crate) fn detached<T: Send>(
@@ -51,6 +57,54 @@ pub(crate) fn detached<T: Send>(
         Ok(Err(error)) => Err(raised.into_inner().ok().flatten().unwrap_or_else(|| to_python(&error))),
         Err(panic) => Err(InternalError::new_err(panic_text(panic.as_ref()))),
     }
+}
+
+/// A Python file for the core to write to, attached only for the write. Keeps the first exception.
+pub(crate) struct PyFile<'a> {
+    file: &'a Py<PyAny>,
+    raised: &'a Mutex<Option<PyErr>>,
+}
+
+impl Write for PyFile<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let broken = || io::Error::other("the file refused the bytes");
+        let mut raised = self.raised.lock().map_err(|_| broken())?;
+        if raised.is_some() {
+            return Err(broken());
+        }
+        Python::attach(|py| self.give(py, bytes)).map_err(|error| {
+            *raised = Some(error);
+            broken()
+        })
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl PyFile<'_> {
+    /// How many bytes the file took; files that return None take all.
+    fn give(&self, py: Python<'_>, bytes: &[u8]) -> PyResult<usize> {
+        let taken = self.file.call_method1(py, "write", (PyBytes::new(py, bytes),))?;
+        Ok(taken.extract::<Option<usize>>(py)?.unwrap_or(bytes.len()).min(bytes.len()))
+    }
+}
+
+/// Runs `work` with a writer to `file`; an exception of the file comes out as it is.
+pub(crate) fn writing<T: Send>(
+    py: Python<'_>,
+    file: &Py<PyAny>,
+    work: impl FnOnce(&mut BufWriter<PyFile<'_>>, Watch<'_>) -> crazing::Result<T> + Send,
+) -> PyResult<T> {
+    let raised = Mutex::new(None);
+    let outcome = detached(py, |watch| {
+        let mut writer = BufWriter::with_capacity(CHUNK, PyFile { file, raised: &raised });
+        let value = work(&mut writer, watch)?;
+        writer.flush().map_err(|error| Error::Write { reason: error.to_string() })?;
+        Ok(value)
+    });
+    outcome.map_err(|error| raised.into_inner().ok().flatten().unwrap_or(error))
 }
 
 /// The value of a core result, or its error as a Python exception.

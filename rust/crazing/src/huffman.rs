@@ -9,6 +9,9 @@ pub(crate) const END: usize = 256;
 /// Longest code. Deflate allows 15; four codes of 12 fit into a word, and the codes cost a thousandth more.
 const LIMIT: u32 = 12;
 
+/// Bits that hold a symbol.
+const PLACE: u32 = 9;
+
 /// The length of each symbol's code, 0 for one that does not come; at least two do.
 pub(crate) fn lengths(counts: &[u32; SYMBOLS]) -> [u8; SYMBOLS] {
     let mut counts = *counts;
@@ -31,11 +34,12 @@ pub(crate) fn lengths(counts: &[u32; SYMBOLS]) -> [u8; SYMBOLS] {
 
 /// Depths in the tree that joins the two least nodes again and again.
 fn depths(counts: &[u32; SYMBOLS]) -> [u8; SYMBOLS] {
-    let mut leaves: Vec<(u64, usize)> =
-        counts.iter().enumerate().filter(|(_, count)| **count > 0).map(|(i, &count)| (u64::from(count), i)).collect();
+    // In one number each, which are sorted several times faster than pairs.
+    let packed = |(i, &count): (usize, &u32)| (count > 0).then_some(u64::from(count) << PLACE | i as u64);
+    let mut leaves: Vec<u64> = counts.iter().enumerate().filter_map(packed).collect();
     leaves.sort_unstable();
     // Joined nodes arise in order of weight: two queues do for a heap.
-    let mut weights: Vec<u64> = leaves.iter().map(|leaf| leaf.0).collect();
+    let mut weights: Vec<u64> = leaves.iter().map(|leaf| leaf >> PLACE).collect();
     let mut parents = vec![0; 2 * leaves.len() - 1];
     let (mut leaf, mut node) = (0, leaves.len());
     while weights.len() < parents.len() {
@@ -55,8 +59,8 @@ fn depths(counts: &[u32; SYMBOLS]) -> [u8; SYMBOLS] {
         levels[i] = levels[parents[i]].saturating_add(1);
     }
     let mut out = [0; SYMBOLS];
-    for (&(_, symbol), &level) in leaves.iter().zip(&levels) {
-        out[symbol] = level;
+    for (leaf, &level) in leaves.iter().zip(&levels) {
+        out[(leaf & ((1 << PLACE) - 1)) as usize] = level;
     }
     out
 }

@@ -160,8 +160,25 @@ pub(crate) fn map_slow<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send
 
 /// The same where every single item is worth a thread.
 pub(crate) fn several<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    several_with(len, || (), |(), i| f(i))
+}
+
+/// The same with something that is made now and then, and used for many items.
+pub(crate) fn several_with<S, T: Send>(
+    len: usize,
+    make: impl Fn() -> S + Sync + Send,
+    f: impl Fn(&mut S, usize) -> T + Sync + Send,
+) -> Vec<T> {
     let worth = if len > 1 { WORTHWHILE } else { 0 };
-    choose(worth, &f, |f| (0..len).map(f).collect(), |f| (0..len).into_par_iter().map(f).collect())
+    choose(
+        worth,
+        (make, f),
+        |(make, f)| {
+            let mut made = make();
+            (0..len).map(|i| f(&mut made, i)).collect()
+        },
+        |(make, f)| (0..len).into_par_iter().map_init(make, f).collect(),
+    )
 }
 
 /// `f` of each of `0..len`, in any order.

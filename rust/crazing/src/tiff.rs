@@ -3,6 +3,8 @@
 //! # Source
 //! TIFF 6.0, section 14, for integers; Adobe Photoshop TIFF technical note 3 for floats.
 
+use std::io::Write;
+
 use crate::error::{Error, Result};
 use crate::watch::Watch;
 use crate::{deflate, parallel};
@@ -24,13 +26,15 @@ pub struct Band<'a> {
     pub tile: [usize; 2],
 }
 
-/// Every tile as a zlib stream of differences along the rows: predictor 3 of TIFF for floats, 2 for integers.
+/// Writes every tile as a zlib stream of differences along the rows: predictor 3 of TIFF for floats, 2 for integers.
+/// Gives the bytes of each.
 ///
 /// Pixels beyond the edges go on as the last ones: they cost least so.
 ///
 /// # Errors
-/// [`Error::BadLength`] or [`Error::BadValue`] for bytes that are no such rows, [`Error::Interrupted`].
-pub fn compress(band: Band<'_>, watch: Watch<'_>) -> Result<Vec<Vec<u8>>> {
+/// [`Error::BadLength`] or [`Error::BadValue`] for bytes that are no such rows, [`Error::Write`] with the reason of the
+/// writer, [`Error::Interrupted`].
+pub fn compress(mut writer: impl Write, band: Band<'_>, watch: Watch<'_>) -> Result<Vec<usize>> {
     if !matches!(band.sample, 1 | 2 | 4) {
         return Err(Error::BadValue {
             name: "sample",
@@ -44,29 +48,48 @@ pub fn compress(band: Band<'_>, watch: Watch<'_>) -> Result<Vec<Vec<u8>>> {
     if rows == 0 || rows > height || width == 0 || rows * row != band.bytes.len() {
         return Err(Error::BadLength { array: "rows", found: band.bytes.len(), wanted: row.saturating_mul(height) });
     }
-    parallel::several(band.width.div_ceil(width), |index| {
+    let tiles = parallel::several_with(band.width.div_ceil(width), Room::default, |room, index| {
         watch.poll()?;
-        Ok(deflate::zlib(&band.tile(index, row)))
-    })
-    .into_iter()
-    .collect()
+        Ok(deflate::zlib(band.tile(index, row, room)))
+    });
+    let put = |tile: Result<Vec<u8>>| {
+        let tile = tile?;
+        writer.write_all(&tile).map_err(|error| Error::Write { reason: error.to_string() })?;
+        Ok(tile.len())
+    };
+    tiles.into_iter().map(put).collect()
+}
+
+/// What is needed for one tile, and used again for the next one.
+#[derive(Default)]
+struct Room {
+    out: Vec<u8>,
+    /// A row that goes on beyond the picture.
+    line: Vec<u8>,
+    planes: Vec<u8>,
 }
 
 impl Band<'_> {
     /// The differences of one tile, from rows of so many bytes.
-    fn tile(&self, index: usize, row: usize) -> Vec<u8> {
+    fn tile<'a>(&self, index: usize, row: usize, room: &'a mut Room) -> &'a [u8] {
         let pixel = self.channels * self.sample;
         let wide = self.tile[1] * pixel;
         let (first, last) = (index * wide, row.min((index + 1) * wide));
-        let mut out = vec![0; self.tile[0] * wide];
-        let (mut line, mut planes) = (vec![0; wide], vec![0; wide]);
+        let Room { out, line, planes } = room;
+        out.resize(self.tile[0] * wide, 0);
+        line.resize(wide, 0);
+        planes.resize(wide, 0);
         let (done, below) = out.split_at_mut(self.bytes.len() / row * wide);
         for (row, out) in self.bytes.chunks_exact(row).zip(done.chunks_exact_mut(wide)) {
-            let (inside, beyond) = line.split_at_mut(last - first);
-            inside.copy_from_slice(&row[first..last]);
-            let edge = &inside[inside.len() - pixel..];
-            beyond.chunks_exact_mut(pixel).for_each(|beyond| beyond.copy_from_slice(edge));
-            self.predict(&line, &mut planes, out);
+            let mut own = &row[first..last];
+            if own.len() < wide {
+                let (inside, beyond) = line.split_at_mut(own.len());
+                inside.copy_from_slice(own);
+                let edge = &inside[inside.len() - pixel..];
+                beyond.chunks_exact_mut(pixel).for_each(|beyond| beyond.copy_from_slice(edge));
+                own = line;
+            }
+            self.predict(own, planes, out);
         }
         let last = &done[done.len() - wide..];
         below.chunks_exact_mut(wide).for_each(|below| below.copy_from_slice(last));

@@ -42,10 +42,15 @@ fn tiles_come_back() -> Result<(), Box<dyn std::error::Error>> {
         for (channels, rows, width) in [(1, 16, 96), (2, 16, 64), (3, 16, 33), (3, 5, 31), (1, 1, 1)] {
             let bytes: Vec<u8> = (0..rows * width * channels * sample).map(|i| (i * i / 11 + i) as u8).collect();
             let band = Band { bytes: &bytes, width, channels, sample, float, tile: [height, wide] };
-            let streams = compress(band, Watch::default())?;
-            assert_eq!(streams.len(), width.div_ceil(wide));
+            let mut file = Vec::new();
+            let sizes = compress(&mut file, band, Watch::default())?;
+            assert_eq!(sizes.len(), width.div_ceil(wide));
+            assert_eq!(sizes.iter().sum::<usize>(), file.len());
             let pixel = channels * sample;
-            for (nth, stream) in streams.iter().enumerate() {
+            let mut rest = &file[..];
+            for (nth, size) in sizes.into_iter().enumerate() {
+                let stream;
+                (stream, rest) = rest.split_at(size);
                 let tile = inflated(stream)?;
                 assert_eq!(tile.len(), height * wide * pixel);
                 for (y, row) in tile.chunks_exact(wide * pixel).enumerate() {
@@ -65,12 +70,12 @@ fn tiles_come_back() -> Result<(), Box<dyn std::error::Error>> {
 #[test]
 fn what_are_no_rows_is_named() {
     let good = Band { bytes: &[0; 24], width: 6, channels: 1, sample: 2, float: false, tile: [2, 4] };
-    let refused = |band| compress(band, Watch::default());
+    let refused = |band| compress(Vec::new(), band, Watch::default());
     assert!(refused(good).is_ok());
     assert!(matches!(refused(Band { sample: 3, ..good }), Err(Error::BadValue { name: "sample", .. })));
     assert!(matches!(refused(Band { width: 5, ..good }), Err(Error::BadLength { .. })));
     assert!(matches!(refused(Band { width: 0, ..good }), Err(Error::BadLength { .. })));
     assert!(matches!(refused(Band { tile: [1, 4], ..good }), Err(Error::BadLength { .. })));
     assert!(matches!(refused(Band { tile: [2, 0], ..good }), Err(Error::BadLength { .. })));
-    assert_eq!(compress(good, Watch::new(&|| false)), Err(Error::Interrupted));
+    assert_eq!(compress(Vec::new(), good, Watch::new(&|| false)), Err(Error::Interrupted));
 }
