@@ -16,8 +16,8 @@ use crate::parallel;
 use crate::watch::Watch;
 use weave::{Free, Weaver, order};
 
-/// Halves no larger than this are not worth a thread.
-const GRAIN: usize = 1 << 16;
+/// Halves no larger than this have numbers of their own for their edges: those about a site are near each other.
+const GRAIN: usize = 1 << 11;
 /// So often halves are given to threads: eight threads in all.
 const THREADED: u32 = 3;
 /// Half-edges a site that there is room for: a triangulation has fewer.
@@ -118,7 +118,11 @@ impl Part<'_> {
     /// Cuts the sites in two; on either side of the middle are those before it. None where sites are equal.
     fn cut(&mut self, upright: bool) -> std::result::Result<usize, Stop> {
         let middle = self.sites.len() / 2;
-        let (before, pivot, _) = self.sites.select_nth_unstable_by(middle, |a, b| order(a.place, b.place, upright));
+        let (before, pivot, _) = if upright {
+            self.sites.select_nth_unstable_by(middle, |a, b| order(a.place, b.place, true))
+        } else {
+            self.sites.select_nth_unstable_by(middle, |a, b| order(a.place, b.place, false))
+        };
         if before.iter().any(|site| site.place == pivot.place) { Err(Stop::Equal) } else { Ok(middle) }
     }
 

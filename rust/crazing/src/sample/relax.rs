@@ -45,7 +45,8 @@ pub fn relax(
 fn in_plane(points: Vec<Point>, iterations: usize, bounds: [f64; 4], watch: Watch<'_>) -> Result<Vec<Point>> {
     check_points(&points)?;
     let rows = points.len();
-    let mut stars = Stars::of(points.into_iter().zip(0..).map(|(p, row)| Site::new(p, row)).collect());
+    let mut stars = Stars::of(parallel::map(rows, |row| Site::new(points[row], row as u32)));
+    drop(points);
     let mut of_row: Vec<u32> = (0..rows as u32).collect();
     let mut moved = Vec::new();
     for _ in 0..iterations {
@@ -62,6 +63,9 @@ fn in_plane(points: Vec<Point>, iterations: usize, bounds: [f64; 4], watch: Watc
     }
     let mut places = vec![[0.0; 2]; stars.sites.len()];
     stars.sites.iter().for_each(|site| places[site.row as usize] = site.place);
+    if places.len() == rows {
+        return Ok(places);
+    }
     Ok(of_row.into_iter().map(|row| places[row as usize]).collect())
 }
 

@@ -33,11 +33,17 @@ impl Free {
 }
 
 /// From left to right, or turned a quarter: from the bottom up.
+#[inline]
 pub(super) fn order(a: Point, b: Point, upright: bool) -> Ordering {
-    let (first, second) = if upright { (0, 1) } else { (1, 0) };
-    let compare = |i: usize| a[i].partial_cmp(&b[i]).unwrap_or(Ordering::Equal);
-    let ties = if upright { compare(second) } else { compare(second).reverse() };
-    compare(first).then(ties)
+    // Without a branch: which of two sites comes first cannot be foretold.
+    let is_less = |a: Point, b: Point| {
+        if upright {
+            (a[0] < b[0]) | ((a[0] == b[0]) & (a[1] < b[1]))
+        } else {
+            (a[1] < b[1]) | ((a[1] == b[1]) & (a[0] > b[0]))
+        }
+    };
+    is_less(b, a).cmp(&is_less(a, b))
 }
 
 /// Makes and removes the edges of a part.
@@ -218,8 +224,9 @@ impl Weaver<'_> {
         loop {
             let behind = step(self.half(edge));
             let next = self.to(behind);
-            // Behind the last one comes the base again, whose ends are on the circle, not inside.
-            if !is_inside(to, from, place, next) {
+            // Behind the last one comes the base again, whose ends are on the circle, not inside: that would be found out
+            // in exact numbers only.
+            if behind == side || !is_inside(to, from, place, next) {
                 return Some((edge, place));
             }
             self.remove(edge);
