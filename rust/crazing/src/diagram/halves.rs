@@ -91,6 +91,12 @@ impl Stars {
             Some(&self.sites[other as usize])
         })
     }
+
+    /// The last of the neighbours.
+    pub(crate) fn last_around(&self, site: usize) -> Option<&Site> {
+        let first = self.halves.get(self.sites[site].edge as usize)?;
+        Some(&self.sites[self.halves[first.prev as usize ^ 1].origin as usize])
+    }
 }
 
 /// Why there is no triangulation.

@@ -55,9 +55,9 @@ fn in_plane(points: Vec<Point>, iterations: usize, bounds: [f64; 4], watch: Watc
         let up = |p: Point| if scale.is_one() { p } else { scale.up(p) };
         moved.resize(stars.sites.len(), [0.0; 2]);
         parallel::fill(&mut moved, |range, places| {
-            let mut corner = Corners::default();
+            let mut clipped = Clipped::default();
             let places = places.iter_mut().zip(range);
-            places.for_each(|(place, site)| *place = corner.centroid(&stars, site, bounds, up));
+            places.for_each(|(place, site)| *place = clipped.centroid(&stars, site, bounds, up));
         });
         parallel::alter_both(&mut stars.sites, &mut moved, |site, &mut place| site.place = place);
     }
@@ -88,58 +88,56 @@ fn triangulated(stars: &mut Stars, of_row: &mut [u32], watch: Watch<'_>) -> Resu
     if stars.triangulate(watch)? { Ok(scale) } else { Err(Error::Internal("distinct points were found equal")) }
 }
 
-/// The corners of a cell, seen from its site; the memory is used again for the next.
+/// A cell that is clipped, seen from its site; the memory is used again for the next.
 #[derive(Default)]
-struct Corners {
-    steps: Vec<Point>,
+struct Clipped {
     cell: Vec<Point>,
     spare: Vec<Point>,
 }
 
-impl Corners {
+impl Clipped {
     /// The centroid of a cell within the bounds. Seen from the site, so that cells far from the origin lose nothing.
     fn centroid(&mut self, stars: &Stars, site: usize, bounds: [f64; 4], up: impl Fn(Point) -> Point) -> Point {
         let p = up(stars.sites[site].place);
         let from = |q: Point| [q[0] - p[0], q[1] - p[1]];
-        self.steps.clear();
-        self.steps.extend(stars.around(site).map(|other| from(up(other.place))));
         let (low, high) = (from([bounds[0], bounds[1]]), from([bounds[2], bounds[3]]));
-        if !self.is_whole(low, high) {
+        let step = |other: &Site| from(up(other.place));
+        let whole =
+            stars.last_around(site).and_then(|last| of_whole(step(last), stars.around(site).map(step), low, high));
+        let found = whole.unwrap_or_else(|| {
             self.cell.clear();
             self.cell.extend([low, [high[0], low[1]], high, [low[0], high[1]]]);
-            for &step in &self.steps {
-                cut(&mut self.cell, step, &mut self.spare);
-            }
-        }
-        let [x, y] = centroid(&self.cell).unwrap_or([0.0; 2]);
+            stars.around(site).map(step).for_each(|step| cut(&mut self.cell, step, &mut self.spare));
+            Sums::of(&self.cell).centroid()
+        });
+        let [x, y] = found.unwrap_or([0.0; 2]);
         [(p[0] + x).clamp(bounds[0], bounds[2]), (p[1] + y).clamp(bounds[1], bounds[3])]
     }
+}
 
-    /// Finds the corners of a cell that lies in the bounds whole; false when it does not, or they are hard to tell.
-    fn is_whole(&mut self, low: Point, high: Point) -> bool {
-        self.cell.clear();
-        let square = |[x, y]: Point| x * x + y * y;
-        let Some(&last) = self.steps.last() else { return false };
-        let (mut a, mut size) = (last, square(last));
-        for &b in &self.steps {
-            let next = square(b);
-            let (p, q) = (a[0] * b[1], a[1] * b[0]);
-            let cross = p - q;
-            // Outside the hull neighbours turn by half a turn or more.
-            let is_wide = cross > WIDE * (p.abs() + q.abs());
-            if !is_wide {
-                return false;
-            }
-            let part = 0.5 / cross;
-            let corner = [part * (size * b[1] - next * a[1]), part * (next * a[0] - size * b[0])];
-            if !(0..2).all(|i| low[i] <= corner[i] && corner[i] <= high[i]) {
-                return false;
-            }
-            self.cell.push(corner);
-            (a, size) = (b, next);
+/// The centroid of a cell that lies in the bounds whole, from the steps to its neighbours and the last of them; none when
+/// it does not, or its corners are hard to tell.
+fn of_whole(last: Point, steps: impl Iterator<Item = Point>, low: Point, high: Point) -> Option<Option<Point>> {
+    let square = |[x, y]: Point| x * x + y * y;
+    let (mut sums, mut a, mut size) = (Sums::default(), last, square(last));
+    for b in steps {
+        let next = square(b);
+        let (p, q) = (a[0] * b[1], a[1] * b[0]);
+        let cross = p - q;
+        // Outside the hull neighbours turn by half a turn or more.
+        let is_wide = cross > WIDE * (p.abs() + q.abs());
+        if !is_wide {
+            return None;
         }
-        true
+        let part = 0.5 / cross;
+        let corner = [part * (size * b[1] - next * a[1]), part * (next * a[0] - size * b[0])];
+        if !(0..2).all(|i| low[i] <= corner[i] && corner[i] <= high[i]) {
+            return None;
+        }
+        sums.add(corner);
+        (a, size) = (b, next);
     }
+    Some(sums.centroid())
 }
 
 fn round_on_torus(points: &[Point], corner: Point, period: Point, watch: Watch<'_>) -> Result<Vec<Point>> {
@@ -188,7 +186,7 @@ fn centroids(
                 cut(&mut cell, step.map(|x| -x), &mut spare);
             }
         }
-        let [x, y] = centroid(&cell).unwrap_or([0.0; 2]);
+        let [x, y] = Sums::of(&cell).centroid().unwrap_or([0.0; 2]);
         [(p[0] + x).clamp(xmin, xmax), (p[1] + y).clamp(ymin, ymax)]
     }))
 }
@@ -215,15 +213,38 @@ fn cut(cell: &mut Vec<Point>, other: Point, spare: &mut Vec<Point>) {
     std::mem::swap(cell, spare);
 }
 
-fn centroid(cell: &[Point]) -> Option<Point> {
-    let origin = cell.first()?;
-    let (mut area, mut sum) = (0.0, [0.0; 2]);
-    for i in 1..cell.len() {
-        let [p, q] = [cell[i - 1], cell[i]].map(|p| [p[0] - origin[0], p[1] - origin[1]]);
-        let cross = p[0] * q[1] - p[1] * q[0];
-        area += cross;
-        (0..2).for_each(|k| sum[k] += cross * (p[k] + q[k]));
+/// What the centroid of a polygon is found from, corner by corner.
+#[derive(Default)]
+struct Sums {
+    /// The first corner, and from it the last.
+    corners: Option<(Point, Point)>,
+    area: f64,
+    sum: Point,
+}
+
+impl Sums {
+    fn of(cell: &[Point]) -> Self {
+        let mut sums = Self::default();
+        cell.iter().for_each(|&corner| sums.add(corner));
+        sums
     }
-    let place = [0, 1].map(|k| origin[k] + sum[k] / (3.0 * area));
-    (area > 0.0 && place.iter().all(|x| x.is_finite())).then_some(place)
+
+    #[inline]
+    fn add(&mut self, corner: Point) {
+        let Some((origin, p)) = self.corners else {
+            self.corners = Some((corner, [0.0; 2]));
+            return;
+        };
+        let q = [corner[0] - origin[0], corner[1] - origin[1]];
+        let cross = p[0] * q[1] - p[1] * q[0];
+        self.area += cross;
+        (0..2).for_each(|k| self.sum[k] += cross * (p[k] + q[k]));
+        self.corners = Some((origin, q));
+    }
+
+    fn centroid(&self) -> Option<Point> {
+        let (origin, _) = self.corners?;
+        let place = [0, 1].map(|k| origin[k] + self.sum[k] / (3.0 * self.area));
+        (self.area > 0.0 && place.iter().all(|x| x.is_finite())).then_some(place)
+    }
 }
