@@ -26,11 +26,8 @@ impl Guard<'_> {
     pub(super) fn is_free(&self, row: usize, goals: &[Point]) -> bool {
         let kite = self.fence.kites[row];
         let rests = |corner: i32| goals.get(corner as usize).is_none_or(|goal| *goal == self.points[corner as usize]);
-        if kite.into_iter().all(rests) {
-            return true;
-        }
         if kite[2] < 0 || kite[3] < 0 {
-            return false;
+            return kite.into_iter().all(rests);
         }
         let way = |i: usize| {
             let corner = kite[i] as usize;
@@ -38,29 +35,32 @@ impl Guard<'_> {
             [from, goals.get(corner).map_or(from, |&goal| self.moved(row, i, goal))]
         };
         let (a, b, left, right) = (way(0), way(1), way(2), way(3));
-        self.paves(a, b, left) && self.paves(b, a, right)
+        (self.paves(a, b, left) && self.paves(b, a, right)) || kite.into_iter().all(rests)
     }
 
     /// Whether a triangle is far from flat with its corners at any of their two places; two of `r` may be one.
-    #[inline]
+    #[inline(always)]
     fn paves(&self, p: [Point; 2], q: [Point; 2], r: [Point; 2]) -> bool {
         self.is_wide(p, q, r[0]) && (r[0] == r[1] || self.is_wide(p, q, r[1]))
     }
 
     /// The same with one corner at one place. Twice the squares of two sides are more than that of the third.
-    #[inline]
+    #[inline(always)]
     fn is_wide(&self, p: [Point; 2], q: [Point; 2], r: Point) -> bool {
         let [p, q] = [p, q].map(|way| way.map(|place| [place[0] - r[0], place[1] - r[1]]));
         let area = |p: Point, q: Point| p[0] * q[1] - p[1] * q[0];
         let areas = [area(p[0], q[0]), area(p[0], q[1]), area(p[1], q[0]), area(p[1], q[1])];
-        let square = |[first, second]: [Point; 2]| {
-            (first[0] * first[0] + first[1] * first[1]).max(second[0] * second[0] + second[1] * second[1])
-        };
-        let most = 2.0 * (square(p) + square(q));
-        let least = areas[0].min(areas[1]).min(areas[2].min(areas[3]));
+        // Plain comparisons, where those of the library would make sure of NaNs.
+        let less = |a: f64, b: f64| if a < b { a } else { b };
+        let more = |a: f64, b: f64| if a > b { a } else { b };
+        let square = |[x, y]: Point| x * x + y * y;
+        let larger = |[first, second]: [Point; 2]| more(square(first), square(second));
+        let most = 2.0 * (larger(p) + larger(q));
+        let least = less(less(areas[0], areas[1]), less(areas[2], areas[3]));
         let rounded = 64.0 * f64::EPSILON * self.large;
         // No NaN is positive, and a least of some would not show it.
-        areas.iter().all(|&area| area > 0.0) && least > 8.0 * FLAT * most && least * least > rounded * rounded * most
+        let are_positive = (areas[0] > 0.0) & (areas[1] > 0.0) & (areas[2] > 0.0) & (areas[3] > 0.0);
+        are_positive & (least > 8.0 * FLAT * most) & (least * least > rounded * rounded * most)
     }
 
     fn allows(&self, about: &[u32], vertex: usize, to: Point, now: impl Fn(usize) -> Point) -> bool {
