@@ -33,6 +33,13 @@ pub(super) struct Bed {
 /// A point, and the periods at which it is seen.
 type Seen = (i32, [i8; 2]);
 
+/// Numbers of so many edges, with room for those that grow: to move all of them is dearer.
+fn with_room<T>(edges: usize, numbers: impl Iterator<Item = T>) -> Vec<T> {
+    let mut all = Vec::with_capacity(edges + edges / 2);
+    all.extend(numbers);
+    all
+}
+
 impl Bed {
     pub(super) fn of(net: Net, partner: Vec<i32>, fence: Fence, bounds: [f64; 4]) -> Self {
         let edges = net.edges.len();
@@ -44,11 +51,11 @@ impl Bed {
             new: Vec::new(),
             bounds,
             partner,
-            origin: (0..edges as i32).collect(),
+            origin: with_room(edges, 0..edges as i32),
             changed: vec![false; fence.kites.len()],
             kites: fence.kites,
             shifts: fence.shifts,
-            kite_of: (0..edges as u32).collect(),
+            kite_of: with_room(edges, 0..edges as u32),
             scale: Scale::of(large),
         }
     }

@@ -6,12 +6,10 @@ use crate::parallel;
 
 /// Rows of kites by their two ends, whichever is first: lists of rows that share a hash.
 pub(super) struct Index {
-    /// The last row of every list.
+    /// The last row of every list; there are a power of two.
     last: Vec<u32>,
     /// The row before each in its list.
     before: Vec<u32>,
-    /// Bits that a hash is shifted by.
-    shift: u32,
 }
 
 impl Index {
@@ -31,17 +29,19 @@ impl Index {
         let is_one = |end: i32| is_apex[end as usize].load(Relaxed);
         let wanted = |row: usize| (is_one(kites[row][0]) || is_one(kites[row][1])).then_some(row as u32);
         let wanted = parallel::compact(kites.len(), wanted);
-        let bits = (wanted.len() + kites.len() / 4).next_power_of_two().ilog2().max(4);
+        let lists = (wanted.len() + kites.len() / 4).next_power_of_two().max(16);
         let before = if wanted.is_empty() { Vec::new() } else { vec![Self::END; kites.len()] };
-        let mut index = Self { last: vec![Self::END; 1 << bits], before, shift: 64 - bits };
+        let mut index = Self { last: vec![Self::END; lists], before };
         wanted.iter().for_each(|&row| index.insert([kites[row as usize][0], kites[row as usize][1]], row as usize));
         index
     }
 
+    /// Points that are near have numbers that are near, and so have their lists: in any other order memory is waited for.
+    /// Both ends count, or all edges of a star would share a list, but not alike, or those across a strip would; and
+    /// 1 + 6 is odd, so that those of a row of points have all lists.
     fn list(&self, [a, b]: [i32; 2]) -> usize {
-        let both = (a.min(b) as u64) << 32 | u64::from(a.max(b) as u32);
-        // Fibonacci hashing: the odd number next to 2^64 over the golden ratio.
-        ((both ^ both >> 29).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> self.shift) as usize
+        let both = a.min(b) as u64 + 6 * a.max(b) as u64;
+        both as usize & (self.last.len() - 1)
     }
 
     pub(super) fn insert(&mut self, ends: [i32; 2], row: usize) {
