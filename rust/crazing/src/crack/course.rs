@@ -7,9 +7,9 @@ use super::fence::{Fence, FenceView};
 use super::hooks::part;
 use super::net::{Ends, NONE, Net, NetView};
 use super::pattern::{Pattern, finished};
-use super::roughen::{Roughness, Trace, trace};
+use super::roughen::{Chains, Roughness, Trace, trace};
 use super::straighten::{Straightening, straightened};
-use super::strand::paired;
+use super::strand::{Runs, paired};
 use super::stubs::{Stubs, grown};
 use super::warp::warp;
 use super::width::Profile;
@@ -65,8 +65,9 @@ pub fn course(
     how: Course,
     watch: Watch<'_>,
 ) -> Result<Pattern> {
-    let mut stage = Stage::of(net, fence, partner, age);
-    let mut ends = (how.straightening.is_some() || how.turn.is_some()).then(|| Ends::of(stage.net()));
+    let needs_ends = how.straightening.is_some() || how.turn.is_some();
+    let (mut stage, mut ends) =
+        parallel::join(net.edges.len(), || Stage::of(net, fence, partner, age), || needs_ends.then(|| Ends::of(net)));
     if let (Some(how), Some(ends)) = (how.straightening, &ends) {
         stage.vertices = straightened(stage.net(), ends, &stage.partner, stage.fence(), how, watch)?.into();
     }
@@ -91,11 +92,19 @@ pub fn course(
         let age = grown.ages(&age);
         stage = Stage::owning(grown.net, grown.fence, grown.partner, age);
     }
-    let trace = match how.roughness {
-        Some((how, key)) => trace(stage.net(), &stage.partner, stage.fence(), how, key, watch)?,
-        None => Trace { vertices: stage.vertices.to_vec(), starts: (0..=stage.edges.len()).collect(), ends: None },
+    let (trace, runs) = match how.roughness {
+        Some(rough) => {
+            // Both follow edge after edge, which takes one thread.
+            let (net, partner) = (stage.net(), &stage.partner);
+            let (chains, runs) = parallel::join(net.edges.len(), || Chains::of(net, watch), || Runs::of(partner));
+            (trace(net, chains?, partner, stage.fence(), rough, watch)?, runs)
+        }
+        None => {
+            let starts = (0..=stage.edges.len()).collect();
+            (Trace { vertices: stage.vertices.to_vec(), starts, ends: None }, Runs::of(&stage.partner))
+        }
     };
-    finished(stage.net(), trace, &stage.partner, &stage.age, how.widths, watch)
+    finished(stage.net(), trace, (runs, &stage.age), how.widths, watch)
 }
 
 /// The anchors of a fence in the order in which kites meet them, without the shifts: sites lie in memory as they were

@@ -3,7 +3,7 @@
 use super::net::{Ends, NONE, Net, NetView};
 use super::roughen::Trace;
 use super::roughen::pieces::{pieces_of, repeated, shifts_of};
-use super::strand::{Pieces, Strands, of_pieces};
+use super::strand::{Pieces, Runs, Strands, of_pieces};
 use super::width::{Profile, spans, widen};
 use crate::error::Result;
 use crate::rng::Key;
@@ -57,7 +57,7 @@ pub fn looks(
         (0..chains).flat_map(|k| outer(k).map(|(edge, side)| end_of(partner[2 * edge + side]))).collect();
     let age: Vec<i32> = starts[..chains].iter().filter_map(|&edge| age.get(edge).copied()).collect();
     let whole = NetView { edges: &edges, shifts: &[], ..net };
-    looks_of(net, (whole, None), &starts, &partner, &age, (profile, key), watch)
+    looks_of(net, (whole, None), &starts, (Runs::of(&partner), &age), (profile, key), watch)
 }
 
 /// The first edges of chains, and the end: edges that follow one another and meet at vertices where nothing else is.
@@ -80,14 +80,13 @@ fn looks_of(
     net: NetView<'_>,
     (whole, ends): (NetView<'_>, Option<&Ends>),
     starts: &[usize],
-    partner: &[i32],
-    age: &[i32],
+    (runs, age): (Runs, &[i32]),
     (profile, key): (Profile, Key),
     watch: Watch<'_>,
 ) -> Result<Looks> {
     let mut widths = spans(net);
     watch.poll()?;
-    let strands = of_pieces(whole, ends, partner, age, &Pieces { starts, span: |piece: usize| widths[piece][0] });
+    let strands = of_pieces(whole, ends, runs, age, &Pieces { starts, span: |piece: usize| widths[piece][0] });
     watch.poll()?;
     widen(net, whole, starts, &strands, &profile, key, &mut widths)?;
     watch.poll()?;
@@ -104,8 +103,7 @@ fn looks_of(
 pub(super) fn finished(
     net: NetView<'_>,
     trace: Trace,
-    partner: &[i32],
-    age: &[i32],
+    runs: (Runs, &[i32]),
     widths: (Profile, Key),
     watch: Watch<'_>,
 ) -> Result<Pattern> {
@@ -113,7 +111,7 @@ pub(super) fn finished(
     let whole = NetView { vertices: &vertices[..net.vertices.len()], ..net };
     let (edges, shifts) = (pieces_of(net, &starts), shifts_of(net, &starts));
     let fine = NetView { vertices: &vertices, edges: &edges, shifts: &shifts, ..net };
-    let looks = looks_of(fine, (whole, ends.as_ref()), &starts, partner, age, widths, watch)?;
+    let looks = looks_of(fine, (whole, ends.as_ref()), &starts, runs, widths, watch)?;
     let mut net = Net { vertices, edges, shifts, period: net.period, cut: Vec::new() };
     net.wrap();
     Ok(Pattern { net, looks })

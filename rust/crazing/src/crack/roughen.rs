@@ -79,7 +79,7 @@ pub fn roughen(
     key: Key,
     watch: Watch<'_>,
 ) -> Result<Rough> {
-    let Trace { vertices, starts, .. } = trace(net, partner, fence, how, key, watch)?;
+    let Trace { vertices, starts, .. } = trace(net, Chains::of(net, watch)?, partner, fence, (how, key), watch)?;
     watch.poll()?;
     let mut cut = net.cut.to_vec();
     cut.resize(vertices.len(), false);
@@ -94,10 +94,10 @@ pub fn roughen(
 /// See [`roughen`].
 pub(super) fn trace(
     net: NetView<'_>,
+    chains: Chains,
     partner: &[i32],
     fence: FenceView<'_>,
-    how: Roughness,
-    key: Key,
+    (how, key): (Roughness, Key),
     watch: Watch<'_>,
 ) -> Result<Trace> {
     let Roughness { amplitude, hurst, unit, grain, rounding } = how;
@@ -107,8 +107,7 @@ pub(super) fn trace(
             return Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" });
         }
     }
-    let ends = Ends::of(net);
-    let vertices = wander(net, &ends, fence, how, key, watch)?;
+    let (vertices, ends) = wander(net, chains, fence, how, key, watch)?;
     let moved = NetView { vertices: &vertices, ..net };
     watch.poll()?;
     let (old, edges) = (vertices.len(), net.edges.len());
@@ -153,34 +152,51 @@ pub(super) fn trace(
     Ok(Trace { vertices: places, starts, ends: Some(ends) })
 }
 
-/// Moves the vertices of degree 2 across their crack.
+/// The cracks of a drawing from node to node, as chains of edges.
+pub(super) struct Chains {
+    /// Who meets where.
+    ends: Ends,
+    /// The ends to enter edges by, chain after chain; those without inner vertices are left out.
+    entries: Vec<u32>,
+    /// Where each chain starts, and the end.
+    starts: Vec<usize>,
+}
+
+impl Chains {
+    pub(super) fn of(net: NetView<'_>, watch: Watch<'_>) -> Result<Self> {
+        let ends = Ends::of(net);
+        let mut seen = vec![false; net.edges.len()];
+        let is_node = |vertex: usize| ends.at(vertex).len() != 2 || net.cut[vertex];
+        let all = 0..2 * net.edges.len() as u32;
+        let from_nodes = all.clone().filter(|&end| is_node(net.vertex(end)));
+        let (mut entries, mut starts) = (Vec::new(), vec![0]);
+        for (step, end) in from_nodes.chain(all).enumerate() {
+            watch.poll_at(step)?;
+            if seen[end as usize / 2] {
+                continue;
+            }
+            chain(net, &ends, end, &mut seen, is_node, &mut entries);
+            // What has no inner vertex does not wander.
+            if entries.len() - starts[starts.len() - 1] < 2 {
+                entries.truncate(starts[starts.len() - 1]);
+            } else {
+                starts.push(entries.len());
+            }
+        }
+        Ok(Self { ends, entries, starts })
+    }
+}
+
+/// Moves the vertices of degree 2 across their crack, and gives back who meets where.
 fn wander(
     net: NetView<'_>,
-    ends: &Ends,
+    Chains { ends, entries, starts }: Chains,
     fence: FenceView<'_>,
     how: Roughness,
     key: Key,
     watch: Watch<'_>,
-) -> Result<Vec<Point>> {
+) -> Result<(Vec<Point>, Ends)> {
     let mut guard = Guard::of(net, fence);
-    let mut seen = vec![false; net.edges.len()];
-    let is_node = |vertex: usize| ends.at(vertex).len() != 2 || net.cut[vertex];
-    let all = 0..2 * net.edges.len() as u32;
-    let from_nodes = all.clone().filter(|&end| is_node(net.vertex(end)));
-    let (mut entries, mut starts) = (Vec::new(), vec![0]);
-    for (step, end) in from_nodes.chain(all).enumerate() {
-        watch.poll_at(step)?;
-        if seen[end as usize / 2] {
-            continue;
-        }
-        chain(net, ends, end, &mut seen, is_node, &mut entries);
-        // What has no inner vertex does not wander.
-        if entries.len() - starts[starts.len() - 1] < 2 {
-            entries.truncate(starts[starts.len() - 1]);
-        } else {
-            starts.push(entries.len());
-        }
-    }
     let moves = parallel::ranges(starts.len() - 1, |range| {
         let (mut bridge, mut moves) = (Bridge::default(), Vec::new());
         for i in range {
@@ -196,7 +212,7 @@ fn wander(
         (goals[vertex as usize], turns[vertex as usize]) = (goal, turn);
     }
     guard.advance(|_, vertex| goals[vertex], Some(&turns), watch)?;
-    Ok(guard.into_vertices())
+    Ok((guard.into_vertices(), ends))
 }
 
 /// Where the vertices along a chain go.

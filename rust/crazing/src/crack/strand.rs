@@ -35,6 +35,8 @@ pub struct Strands {
     pub alone: Vec<[bool; 2]>,
     /// Length of each strand.
     pub length: Vec<f64>,
+    /// Length of each run.
+    pub(super) long: Vec<f64>,
     /// The run of each edge.
     pub(super) run_of: Vec<u32>,
     /// How far along its run each edge is entered.
@@ -76,7 +78,7 @@ impl Strands {
 /// `age` of every edge, low is old, orders the strands; where there is none the longer is the older.
 pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
     let starts: Vec<usize> = (0..=net.edges.len()).collect();
-    of_pieces(net, None, partner, age, &Pieces { starts: &starts, span: |edge| net.length(edge) })
+    of_pieces(net, None, Runs::of(partner), age, &Pieces { starts: &starts, span: |edge| net.length(edge) })
 }
 
 /// The same, lengths summed up piece by piece: the same bits as of a drawing in which every piece is an edge. `ends` where
@@ -84,13 +86,14 @@ pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
 pub(super) fn of_pieces(
     net: NetView<'_>,
     ends: Option<&Ends>,
-    partner: &[i32],
+    runs: Runs,
     age: &[i32],
     pieces: &Pieces<'_, impl Fn(usize) -> f64 + Sync>,
 ) -> Strands {
-    let mut found = Strands { starts: vec![0], ..Strands::default() };
-    let lowest = follow(&mut found, partner);
+    let Runs { of_edge, turned, entries, starts, lowest } = runs;
+    let mut found = Strands { run_of: of_edge, turned, entries, starts, ..Strands::default() };
     let mut runs = measured(&mut found, &lowest, age, pieces);
+    found.long = parallel::map(runs.len(), |run| f64::from_bits(!runs[run].shortness));
     found.length = vec![0.0; runs.len()];
     // Oldest first, then longest; equal lengths by their first edge.
     parallel::sort(&mut runs);
@@ -197,32 +200,42 @@ struct Run {
 /// No run has the edge yet.
 const NOBODY: u32 = u32::MAX;
 
-/// Finds the runs: those that have ends from there, then rings from their lowest edge. Gives the lowest edge of each.
-fn follow(found: &mut Strands, partner: &[i32]) -> Vec<u32> {
-    let edges = partner.len() / 2;
-    found.run_of = vec![NOBODY; edges];
-    found.turned = vec![false; edges];
-    found.entries.reserve(edges);
-    let ends = 0..2 * edges as u32;
-    let tips = ends.clone().filter(|&end| partner[end as usize] == NONE);
-    let mut all = Vec::new();
-    for tip in tips.chain(ends) {
-        if found.run_of[tip as usize / 2] != NOBODY {
-            continue;
+/// The runs of a drawing, whatever its edges are like; see [`Strands`].
+pub(super) struct Runs {
+    of_edge: Vec<u32>,
+    turned: Vec<bool>,
+    entries: Vec<u32>,
+    starts: Vec<usize>,
+    /// The lowest edge of each.
+    lowest: Vec<u32>,
+}
+
+impl Runs {
+    /// Those that have ends from there, then rings from their lowest edge.
+    pub(super) fn of(partner: &[i32]) -> Self {
+        let edges = partner.len() / 2;
+        let (mut of_edge, mut turned) = (vec![NOBODY; edges], vec![false; edges]);
+        let (mut entries, mut starts, mut all) = (Vec::with_capacity(edges), vec![0], Vec::new());
+        let ends = 0..2 * edges as u32;
+        let tips = ends.clone().filter(|&end| partner[end as usize] == NONE);
+        for tip in tips.chain(ends) {
+            if of_edge[tip as usize / 2] != NOBODY {
+                continue;
+            }
+            let (mut lowest, mut entry) = (tip / 2, tip as i32);
+            while entry != NONE && of_edge[entry as usize / 2] == NOBODY {
+                let edge = entry as u32 / 2;
+                of_edge[edge as usize] = all.len() as u32;
+                turned[edge as usize] = entry % 2 == 1;
+                entries.push(entry as u32);
+                lowest = lowest.min(edge);
+                entry = partner[(entry ^ 1) as usize];
+            }
+            all.push(lowest);
+            starts.push(entries.len());
         }
-        let (mut lowest, mut entry) = (tip / 2, tip as i32);
-        while entry != NONE && found.run_of[entry as usize / 2] == NOBODY {
-            let edge = entry as u32 / 2;
-            found.run_of[edge as usize] = all.len() as u32;
-            found.turned[edge as usize] = entry % 2 == 1;
-            found.entries.push(entry as u32);
-            lowest = lowest.min(edge);
-            entry = partner[(entry ^ 1) as usize];
-        }
-        all.push(lowest);
-        found.starts.push(found.entries.len());
+        Self { of_edge, turned, entries, starts, lowest: all }
     }
-    all
 }
 
 /// Finds how far along its run each edge is entered, and what the runs are put in order by.
@@ -263,28 +276,32 @@ fn descend(net: NetView<'_>, ends: Option<&Ends>, found: &mut Strands) {
     });
     let Some(ends) = ends.or(own.as_ref()) else { return };
     // In the order of the runs, where memory is near: the older strands that each meets.
-    let met = parallel::ranges(runs, |range| {
-        let (mut older, mut starts, mut alone) = (Vec::new(), Vec::with_capacity(range.len()), Vec::new());
-        for run in range {
+    let mut alone = vec![[false; 2]; runs];
+    let met = parallel::fill(&mut alone, |range, alone| {
+        let (mut older, mut starts) = (Vec::new(), Vec::with_capacity(range.len()));
+        for (run, alone) in range.zip(alone) {
             starts.push(older.len() as u32);
             let here = tips(run).map(|tip| ends.at(net.vertex(tip)));
-            alone.push(here.map(|here| here.len() == 1));
+            *alone = here.map(|here| here.len() == 1);
             let all = here.into_iter().flatten().map(|&end| found.of_edge[end as usize / 2]);
             older.extend(all.filter(|&other| other < found.strand[run] as i32));
         }
-        starts.push(older.len() as u32);
-        (older, starts, alone)
+        (older, starts)
     });
-    let size = met.first().map_or(1, |(_, starts, _)| starts.len() - 1);
-    found.alone = met.iter().flat_map(|(_, _, alone)| alone.iter().copied()).collect();
-    let mut generation: Vec<i32> = Vec::with_capacity(runs);
+    let (mut older, mut starts) = (Vec::new(), Vec::with_capacity(runs + 1));
+    for (some, from) in met {
+        starts.extend(from.into_iter().map(|start| older.len() as u32 + start));
+        older.extend(some);
+    }
+    starts.push(older.len() as u32);
+    let (mut generation, mut parents): (Vec<i32>, _) = (Vec::with_capacity(runs), Vec::with_capacity(runs));
     for &run in &found.run {
-        let (older, starts, _) = &met[run as usize / size];
-        let older = &older[starts[run as usize % size] as usize..starts[run as usize % size + 1] as usize];
+        let older = &older[starts[run as usize] as usize..starts[run as usize + 1] as usize];
         // Older strands have their generation already.
         let parent = older.iter().max_by_key(|&&other| (generation[other as usize], std::cmp::Reverse(other)));
         generation.push(parent.map_or(0, |&other| generation[other as usize] + 1));
-        found.parent.push(parent.map_or(NONE, |&other| other));
+        parents.push(parent.map_or(NONE, |&other| other));
     }
     found.generation = parallel::map(net.edges.len(), |edge| generation[found.of_edge[edge] as usize]);
+    (found.alone, found.parent) = (alone, parents);
 }

@@ -198,13 +198,16 @@ struct Shape {
 impl Shape {
     fn of(net: NetView<'_>, strands: &Strands, profile: &Profile, key: Key, longest: f64, run: usize) -> Self {
         let (strand, entries) = (strands.strand[run] as usize, strands.entries_of(run));
-        let length = strands.length[strand];
+        let length = strands.long[run];
         let [first, last] = [entries[0], entries[entries.len() - 1]];
         let [here, there] = strands.alone[run];
         let tip = |end: u32, alone: bool| Tip::of(alone, !net.cut[net.vertex(end)]);
-        let generation = strands.generation[first as usize / 2];
         // Any power of 1 is 1.
-        let shrunk = if profile.shrink == 1.0 { 1.0 } else { libm::pow(profile.shrink, f64::from(generation)) };
+        let shrunk = if profile.shrink == 1.0 {
+            1.0
+        } else {
+            libm::pow(profile.shrink, f64::from(strands.generation[first as usize / 2]))
+        };
         let full = profile.width * power(length / longest, profile.hierarchy) * shrunk;
         Self {
             full: full * factor(profile.unevenness, key, strand, 0),

@@ -24,11 +24,12 @@ impl Knots {
             return knots;
         }
         // One before the first part of its way, one behind the last.
-        let count = |run: usize| (strands.length[strands.strand[run] as usize] / knots.unit).floor() as usize;
-        let mut starts = vec![0_u32];
+        let count = |long: f64| (long / knots.unit).floor() as usize;
+        let mut starts = Vec::with_capacity(strands.long.len() + 1);
+        starts.push(0_u32);
         let mut all = 0_usize;
-        for run in 0..strands.strand.len() {
-            all = all.saturating_add(count(run).saturating_add(2));
+        for &long in &strands.long {
+            all = all.saturating_add(count(long).saturating_add(2));
             if all > most.min(u32::MAX as usize) {
                 return knots;
             }
