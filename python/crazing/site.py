@@ -98,9 +98,10 @@ class Site:
         elif r.relax:
             points = self._relaxed(points)
         diagram = as_tiling(points, self.period)
+        if diagram.period is None:
+            return steps.carved(diagram, r.tree, r.opening, bounds_of(diagram, self.bounds, closely=True), seed)
         bounds = None if self.period is not None else bounds_of(diagram, self.bounds, closely=True)
-        drawing = steps.walls(maze(diagram, tree=r.tree, opening=r.opening, bounds=bounds, rng=seed))
-        return drawing, _spacing(diagram)
+        return steps.walls(maze(diagram, tree=r.tree, opening=r.opening, bounds=bounds, rng=seed)), _spacing(diagram)
 
     def _relaxed(self, points: ArrayLike | Diagram) -> NDArray[np.float64]:
         rows = points.sites if isinstance(points, Diagram) else points
@@ -123,15 +124,14 @@ class Site:
         else:
             rows = points.sites if isinstance(points, Diagram) else real_array(points, "points")
             inner = (rows - frame.centre) @ np.linalg.inv(frame.matrix).T
-        period = None
-        if self.period is not None:
-            period = (frame.box[2] - frame.box[0], frame.box[3] - frame.box[1])
-            inner = inner - np.array(frame.box[:2])
-        diagram = as_tiling(inner, period)
-        bounds = frame.box if period is None else None
-        carved = maze(diagram, tree=r.tree, opening=r.opening, bounds=bounds, rng=seed)
+        if self.period is None:
+            stretch = frame.matrix, frame.centre, self.bounds
+            return steps.carved(as_tiling(inner, None), r.tree, r.opening, frame.box, seed, stretch)
+        period = (frame.box[2] - frame.box[0], frame.box[3] - frame.box[1])
+        diagram = as_tiling(inner - np.array(frame.box[:2]), period)
+        carved = maze(diagram, tree=r.tree, opening=r.opening, rng=seed)
         # On a torus the frame's corner is its origin; wherever it lands, vertices are wrapped in the end.
-        centre = frame.centre if period is None else frame.matrix @ np.array(frame.box[:2]) + frame.centre
+        centre = frame.matrix @ np.array(frame.box[:2]) + frame.centre
         return steps.stretched(carved, frame.matrix, centre, self.bounds), _spacing(diagram)
 
     def _plates(self, frame: Frame, seed: np.random.Generator) -> NDArray[np.float64]:
@@ -254,7 +254,6 @@ def _unit(area: float, n: int) -> float:
 
 
 def _spacing(diagram: Diagram) -> float:
-    """The median length of the Delaunay edges: the mean would follow far outliers."""
-    if diagram.period is None:
-        return _core.crack_spacing(diagram.sites, diagram.edges, np.empty((0, 2), dtype=np.int8), (0.0, 0.0))
+    """The median length of the Delaunay edges on a torus: the mean would follow far outliers."""
+    assert diagram.period is not None  # In the plane it comes with the walls.
     return _core.crack_spacing(diagram.sites, diagram.edges, np.ascontiguousarray(diagram.shifts), diagram.period)

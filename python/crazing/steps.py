@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from crazing import _core, arguments, course
 from crazing.crack import Crack
+from crazing.diagram import Diagram, unconstrained
 from crazing.drawing import Bounds, Drawing, Fence, Net, draw, paired
 from crazing.maze import Maze
 from crazing.rng import RNG, key
@@ -68,13 +69,27 @@ def _walls(maze: Maze) -> tuple[Net, Fence]:
     return _core.crack_walls_on_torus(d.arrays, maze.open, *shifts, d.period)
 
 
+def carved(
+    diagram: Diagram,
+    tree: str,
+    opening: float,
+    bounds: Bounds,
+    seed: np.random.Generator,
+    stretch: tuple[NDArray[np.float64], NDArray[np.float64], Bounds] | None = None,
+) -> tuple[Drawing, float]:
+    """The walls of a maze in the plane, and the spacing of its plates: what :func:`walls` draws, in one call.
+
+    With `stretch` they are mapped by its matrix about its centre, and trimmed to its bounds.
+    """
+    how = tree, opening, key(seed), bounds, stretch
+    net, fence, partner, spacing = _core.crack_plates(unconstrained(diagram).arrays, *how)
+    within = bounds if stretch is None else stretch[2]
+    return Drawing(*net, within, fence, partner, np.empty(0, dtype=np.int32)), spacing
+
+
 def stretched(maze: Maze, matrix: NDArray[np.float64], centre: NDArray[np.float64], bounds: Bounds) -> Drawing:
-    """The walls of a maze carved in a frame: mapped back by `matrix` about `centre`, and trimmed to `bounds`."""
-    net, fence = _walls(maze)
-    vertices, edges, shifts, period, cut = net
-    if not any(period):
-        return paired(*_core.crack_stretch(net, fence, matrix, centre, bounds), bounds)
-    anchors, kites, turns = fence
+    """The walls of a maze on a torus that was carved in a frame: mapped back by `matrix` about `centre`."""
+    (vertices, edges, shifts, _, cut), (anchors, kites, turns) = _walls(maze)
     back = [np.ascontiguousarray(points @ matrix.T + centre) for points in (vertices, anchors)]
     if abs(matrix[0, 1]) > abs(matrix[0, 0]):  # A quarter turn: what crossed the one side crosses the other.
         turn = np.sign(matrix[0, 1]), np.sign(matrix[1, 0])

@@ -2,6 +2,7 @@
 
 pub(crate) mod branches;
 pub(crate) mod course;
+pub(crate) mod plates;
 
 use crazing::Point;
 use crazing::crack::{self, Aged, Fence, FenceView, Impact, Net, NetView, Profile, Splitting};
@@ -93,7 +94,7 @@ pub(crate) fn crack_walls_on_torus<'py>(
     Ok((net_out(py, found.net)?, fence_out(py, found.fence)?))
 }
 
-/// The median length of the edges of a diagram; `shifts` has no rows in the plane.
+/// The median length of the edges of a diagram.
 #[pyfunction]
 pub(crate) fn crack_spacing(
     py: Python<'_>,
@@ -207,22 +208,6 @@ pub(crate) fn crack_impact<'py>(
 ) -> PyResult<AgedOut<'py>> {
     let how = Impact { source, speed, cells, arcs };
     aged_out(py, detached(py, |watch| crack::impact(bounds, on_torus, how, key, watch))?)
-}
-
-/// The part within bounds of a drawing in the plane under an affine map.
-#[pyfunction]
-pub(crate) fn crack_stretch<'py>(
-    py: Python<'py>,
-    net: NetArrays<'py>,
-    fence: FenceArrays<'py>,
-    matrix: [Point; 2],
-    centre: Point,
-    bounds: [f64; 4],
-) -> PyResult<(NetOut<'py>, FenceOut<'py>)> {
-    let net = net.view()?;
-    let fence = fence.view(net)?;
-    let (net, fence) = detached(py, |_| crack::stretched(net, fence, matrix, centre, bounds))?;
-    Ok((net_out(py, net)?, fence_out(py, fence)?))
 }
 
 /// When the crack gets to both ends of every edge.

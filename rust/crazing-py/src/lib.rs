@@ -28,9 +28,11 @@ mod _core {
     #[pymodule_export]
     use crate::crack::course::crack_course;
     #[pymodule_export]
+    use crate::crack::plates::crack_plates;
+    #[pymodule_export]
     use crate::crack::{
-        crack_arrivals, crack_impact, crack_pairs, crack_spacing, crack_split, crack_straighten, crack_stretch,
-        crack_walls, crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
+        crack_arrivals, crack_impact, crack_pairs, crack_spacing, crack_split, crack_straighten, crack_walls,
+        crack_walls_on_torus, crack_warp, crack_widths, crack_wrap,
     };
     #[pymodule_export]
     use crate::diagram::{

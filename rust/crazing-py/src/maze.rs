@@ -13,7 +13,7 @@ use crate::guard::{checked, detached};
 type Row<'py, T> = Bound<'py, PyArray1<T>>;
 type Carved<'py> = (Row<'py, bool>, Bound<'py, PyArray2<i32>>, i32);
 
-fn tree(name: &str) -> PyResult<Tree> {
+pub(crate) fn tree(name: &str) -> PyResult<Tree> {
     checked(match name {
         "depth-first" => Ok(Tree::DepthFirst),
         "kruskal" => Ok(Tree::Kruskal),

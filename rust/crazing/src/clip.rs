@@ -1,10 +1,13 @@
 //! Voronoi edges as segments: rays and lines are cut at the bounds.
 
+mod inner;
+
 use crate::diagram::scale::{Scale, largest};
 use crate::diagram::{DiagramView, representatives};
 use crate::error::{Error, Result};
 use crate::graph::{PlanarGraph, Point};
 use crate::parallel;
+use inner::Inner;
 
 /// xmin, ymin, xmax, ymax.
 pub type Bounds = [f64; 4];
@@ -45,11 +48,17 @@ pub fn dual_edges(view: DiagramView<'_>, bounds: Bounds, wanted: impl Fn(usize) 
     let scale = Scale::of(largest(view.sites).max(largest(&[[bounds[0], bounds[1]], [bounds[2], bounds[3]]])));
     let (low, high) = (scale.down([bounds[0], bounds[1]]), scale.down([bounds[2], bounds[3]]));
     let representative = representatives(view);
-    let vertices = view.vertices.len();
+    let (vertices, inner) = (view.vertices.len(), Inner::of(view, bounds));
     // Where an edge is cut stands the number of its place after the vertices, counted anew in every range.
     let found = parallel::ranges(view.edges.len(), |range| {
-        let (mut edges, mut rows, mut places) = (Vec::with_capacity(range.len()), Vec::new(), Vec::new());
+        let (mut edges, mut rows) = (Vec::with_capacity(range.len()), Vec::with_capacity(range.len()));
+        let mut places = Vec::new();
         for k in range.filter(|&k| wanted(k)) {
+            if inner.holds(view, k) {
+                edges.push(view.dual_edges[k].map(|triangle| representative[triangle as usize]));
+                rows.push(k as i32);
+                continue;
+            }
             let line = Bisector::of(view, k, fine, scale);
             let Some(inside) = line.within(low, high) else { continue };
             let mut cut = |t: f64| {
@@ -68,16 +77,37 @@ pub fn dual_edges(view: DiagramView<'_>, bounds: Bounds, wanted: impl Fn(usize) 
         }
         (edges, rows, places)
     });
-    let count = found.iter().map(|(edges, _, _)| edges.len()).sum();
-    let (mut edges, mut rows) = (Vec::with_capacity(count), Vec::with_capacity(count));
-    let mut places = view.vertices.to_vec();
-    for (some, of_some, cuts) in found {
-        let before = (places.len() - vertices) as i32;
-        edges.extend(some.into_iter().map(|ends| ends.map(|v| if v < vertices as i32 { v } else { v + before })));
-        rows.extend(of_some);
-        places.extend(cuts);
+    Ok(joined(view, found))
+}
+
+/// Edges, the rows they come from, and places where they are cut.
+type Found = (Vec<[i32; 2]>, Vec<i32>, Vec<Point>);
+
+/// What was found in ranges, one after the other.
+fn joined(view: DiagramView<'_>, found: Vec<Found>) -> Clipped {
+    let vertices = view.vertices.len();
+    let counts: Vec<usize> = found.iter().map(|(edges, _, _)| edges.len()).collect();
+    let (count, cut) = (counts.iter().sum(), found.iter().map(|(_, _, cuts)| cuts.len()).sum::<usize>());
+    let (mut edges, mut rows, mut places) = (vec![[0; 2]; count], vec![0; count], vec![[0.0; 2]; vertices + cut]);
+    let (old, mut rest) = places.split_at_mut(vertices);
+    parallel::fill(old, |range, part| part.copy_from_slice(&view.vertices[range]));
+    let own_edges = parallel::shared(&mut edges, counts.iter().copied());
+    let own_rows = parallel::shared(&mut rows, counts.iter().copied());
+    let (mut parts, mut before) = (Vec::with_capacity(found.len()), 0);
+    for (own, some) in own_edges.zip(own_rows).zip(found) {
+        let cuts;
+        (cuts, rest) = rest.split_at_mut(some.2.len());
+        cuts.copy_from_slice(&some.2);
+        parts.push((own, some, before));
+        before += cuts.len() as i32;
     }
-    Ok(Clipped { graph: PlanarGraph { vertices: places, edges }, rows })
+    parallel::parts(count, parts, |((edges, rows), (some, of_some, _), before)| {
+        rows.copy_from_slice(&of_some);
+        for (edge, ends) in edges.iter_mut().zip(some) {
+            *edge = ends.map(|v| if v < vertices as i32 { v } else { v + before });
+        }
+    });
+    Clipped { graph: PlanarGraph { vertices: places, edges }, rows }
 }
 
 /// Dual edges as ways between two points, rays and far ends cut.

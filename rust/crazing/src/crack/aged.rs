@@ -1,5 +1,7 @@
 //! Drawings whose cracks know their age, and trimming them to bounds.
 
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
 use super::fence::{Fence, FenceView};
 use super::net::{Ends, NONE, Net, NetView};
 use crate::clip::{Bounds, check_bounds};
@@ -96,6 +98,14 @@ pub fn stretched(
     Ok(Kept::of(net, bounds).drawn(net, FenceView { anchors: &anchors, ..fence }))
 }
 
+/// How much of an edge lies within bounds.
+#[derive(Clone, Copy, PartialEq)]
+enum Within {
+    Nothing,
+    Part,
+    Whole,
+}
+
 /// The edges of which a part lies within bounds.
 struct Kept {
     rows: Vec<u32>,
@@ -110,38 +120,34 @@ impl Kept {
         let (before, drawn) = (net.vertices.len(), net.edges.len());
         let cuts = |k: usize| within(net.edges[k].map(|v| net.vertices[v as usize]), bounds);
         // What lies within as a whole, as nearly all does, needs no more than a look.
-        let is_whole = parallel::map(drawn, |k| cuts(k) == Some([None; 2]));
-        let mut kept = Self { rows: Vec::with_capacity(drawn), ends: Vec::with_capacity(drawn), places: Vec::new() };
-        for (k, is_whole) in is_whole.into_iter().enumerate() {
-            let mut edge = net.edges[k];
-            if !is_whole {
-                let Some(cuts) = cuts(k) else { continue };
-                for (end, place) in edge.iter_mut().zip(cuts) {
-                    let Some(place) = place else { continue };
-                    *end = (before + kept.places.len()) as i32;
-                    kept.places.push(place);
-                }
+        let parts = parallel::map(drawn, |k| match cuts(k) {
+            None => Within::Nothing,
+            Some([None, None]) => Within::Whole,
+            _ => Within::Part,
+        });
+        let rows = parallel::compact(drawn, |k| (parts[k] != Within::Nothing).then_some(k as u32));
+        let mut ends = parallel::map(rows.len(), |i| net.edges[rows[i] as usize]);
+        let mut places = Vec::new();
+        for i in parallel::compact(rows.len(), |i| (parts[rows[i] as usize] == Within::Part).then_some(i)) {
+            for (end, place) in ends[i].iter_mut().zip(cuts(rows[i] as usize).into_iter().flatten()) {
+                let Some(place) = place else { continue };
+                *end = (before + places.len()) as i32;
+                places.push(place);
             }
-            kept.rows.push(k as u32);
-            kept.ends.push(edge);
         }
-        kept
+        Self { rows, ends, places }
     }
 
     fn drawn(self, net: NetView<'_>, fence: FenceView<'_>) -> (Net, Fence) {
         let Self { rows: kept, ends, places } = self;
         let (before, drawn) = (net.vertices.len(), net.edges.len());
-        // Vertices in use first; the others become anchors, which stay where they are.
-        let mut row = vec![NONE; before + places.len()];
-        ends.iter().flatten().for_each(|&vertex| row[vertex as usize] = 0);
-        let (mut used, mut others) = (Vec::with_capacity(row.len()), Vec::new());
-        for (vertex, row) in (0..).zip(&row) {
-            if *row == 0 {
-                used.push(vertex);
-            } else if (vertex as usize) < before {
-                others.push(vertex);
-            }
-        }
+        // Vertices in use first; the others become anchors, which stay where they are. Marked in any order, the marks are
+        // the same.
+        let is_used = parallel::map(before + places.len(), |_| AtomicBool::new(false));
+        parallel::each(ends.len(), |i| ends[i].iter().for_each(|&end| is_used[end as usize].store(true, Relaxed)));
+        let used = parallel::compact(is_used.len(), |i| is_used[i].load(Relaxed).then_some(i as i32));
+        let others = parallel::compact(before, |i| (!is_used[i].load(Relaxed)).then_some(i as i32));
+        let mut row = vec![NONE; is_used.len()];
         for (place, &vertex) in used.iter().chain(&others).enumerate() {
             row[vertex as usize] = place as i32;
         }
@@ -167,7 +173,7 @@ impl Kept {
         let net = Net {
             vertices: parallel::map(used.len(), |i| place(used[i] as usize)),
             edges,
-            cut: used.iter().map(|&vertex: &u32| vertex as usize >= before || net.cut[vertex as usize]).collect(),
+            cut: parallel::map(used.len(), |i| used[i] as usize >= before || net.cut[used[i] as usize]),
             ..Net::default()
         };
         (net, Fence { anchors, kites, shifts: Vec::new() })

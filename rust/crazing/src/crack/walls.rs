@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use super::fence::Fence;
 use super::net::{NONE, Net};
-use crate::clip::{self, Bounds};
+use crate::clip::{self, Bounds, Clipped};
 use crate::diagram::DiagramView;
 use crate::error::{Error, Result};
 use crate::graph::Point;
@@ -28,7 +28,11 @@ pub struct Walls {
 /// # Source
 /// Thesis, section 8.
 pub fn within(view: DiagramView<'_>, open: &[bool], bounds: Bounds) -> Result<Walls> {
-    let clipped = clip::dual_edges(view, bounds, |_| true)?;
+    Ok(of_clipped(view, clip::dual_edges(view, bounds, |_| true)?, open, bounds))
+}
+
+/// The same where all dual edges have been cut at the bounds.
+pub(super) fn of_clipped(view: DiagramView<'_>, clipped: Clipped, open: &[bool], bounds: Bounds) -> Walls {
     let uncut = view.vertices.len();
     let doors = Doors { ends: clipped.graph.edges, rows: clipped.rows, shifts: Vec::new() };
     let mut walls = doors.walls(view, open, &clipped.graph.vertices, uncut, |_, _| [0; 6]);
@@ -36,7 +40,7 @@ pub fn within(view: DiagramView<'_>, open: &[bool], bounds: Bounds) -> Result<Wa
     for (cut, p) in walls.net.cut.iter_mut().zip(&walls.net.vertices) {
         *cut |= (0..2).any(|i| p[i] == bounds[i] || p[i] == bounds[i + 2]);
     }
-    Ok(walls)
+    walls
 }
 
 /// The dual edges of rows that are not `open`, on a torus: `shifts` and `dual_shifts` are those of its diagram.
