@@ -159,6 +159,12 @@ def test_any_integers_become_edges(dtype: str) -> None:
     assert graph.edges.dtype.isnative
 
 
+@pytest.mark.parametrize("dtype", ["i1", "<i2", ">i2", "<i4", ">i4", ">i8"])
+def test_negative_indices_of_any_size_are_found(dtype: str) -> None:
+    with pytest.raises(ValueError, match=r"edges\[1\] is \(5, -100\)"):
+        cz.PlanarGraph(np.zeros((200, 2)), np.array([[0, 100], [5, -100]], dtype=dtype))
+
+
 @pytest.mark.parametrize(
     ("vertices", "edges", "kind", "words"),
     [

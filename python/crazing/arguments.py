@@ -262,8 +262,10 @@ def index_pairs(values: ArrayLike, name: str, *, limit: int) -> NDArray[np.int32
         raise TypeError(f"{name} has dtype {array.dtype}; integers are wanted")
     if array.ndim != 2 or array.shape[1] != 2:
         raise ValueError(f"{name} has shape {array.shape}; (n, 2) is wanted")
-    low, high = int(array.min()), int(array.max())
-    if low < 0 or high >= limit:
+    if array.itemsize < 4:
+        array = array.astype(np.int32)
+    # As unsigned numbers negative ones are beyond any limit: one look is enough.
+    if int(array.view(array.dtype.str.replace("i", "u")).max()) >= limit:
         row = int(np.argmax(((array < 0) | (array >= limit)).any(axis=1)))
         pair = tuple(array[row].tolist())
         raise ValueError(f"{name}[{row}] is {pair}; indices from 0 to less than {limit} are wanted")

@@ -44,9 +44,20 @@ fn parted(
     let (mut crust, mut axis) = (vec![[0; 2]; count(|tally| tally.crust)], vec![[0; 2]; count(|tally| tally.axis)]);
     let crusts = parallel::shared(&mut crust, tallies.iter().map(|tally| tally.crust));
     let axes = parallel::shared(&mut axis, tallies.iter().map(|tally| tally.axis));
-    let parts = parallel::all_ranges(mask.len()).zip(crusts.zip(axes)).collect();
-    parallel::parts(mask.len(), parts, |(range, (crust, axis))| {
+    // Where every dual edge can be drawn, none has to be looked at.
+    let none_is_short = tallies.iter().all(|tally| tally.short.is_empty());
+    let parts = parallel::all_ranges(mask.len()).zip(tallies).zip(crusts.zip(axes)).collect();
+    parallel::parts(mask.len(), parts, |((range, tally), (crust, axis))| {
         let mut next = [0; 2];
+        if none_is_short && tally.not_drawn == 0 {
+            for ((&is_crust, &edge), &dual) in
+                mask[range.clone()].iter().zip(&view.edges[range.clone()]).zip(&view.dual_edges[range])
+            {
+                put(crust, &mut next[0], edge, is_crust);
+                put(axis, &mut next[1], dual, !is_crust);
+            }
+            return;
+        }
         for k in range {
             let (is_crust, dual) = (mask[k], represented(view.dual_edges[k]));
             let is_axis = !is_crust & (dual[0] != -1) & (dual[1] != -1) & (dual[0] != dual[1]);

@@ -1,5 +1,6 @@
 //! The one-step crust: every edge is crust, or its dual is anti-crust.
 
+use std::hint::select_unpredictable;
 use std::ops::Range;
 
 use crate::diagram::scale::{Scale, largest};
@@ -29,6 +30,8 @@ pub(super) struct Tally {
     pub(super) crust: usize,
     /// Dual edges of the others that are finite and have a length.
     pub(super) axis: usize,
+    /// Dual edges of the others that have none of the two.
+    pub(super) not_drawn: usize,
     /// Dual edges without length, of all rows.
     pub(super) short: Vec<[i32; 2]>,
 }
@@ -41,8 +44,9 @@ pub(super) fn judged(view: DiagramView<'_>) -> Result<(Vec<bool>, Vec<Tally>)> {
     let mut mask = vec![false; view.edges.len()];
     let tallies = parallel::fill(&mut mask, |rows, mask| {
         let (mut tally, mut corners) = (Tally::default(), Corners::new());
+        corners.gather(view, rows.start..rows.start, rows.start..rows.end.min(rows.start + TOGETHER));
         for (i, mask) in mask.chunks_mut(TOGETHER).enumerate() {
-            judge.decide(rows.start + i * TOGETHER, mask, &mut corners, &mut tally);
+            judge.decide(rows.start + i * TOGETHER, rows.end, mask, &mut corners, &mut tally);
         }
         tally
     });
@@ -52,6 +56,8 @@ pub(super) fn judged(view: DiagramView<'_>) -> Result<(Vec<bool>, Vec<Tally>)> {
 /// Edges looked at together: the sites of all of them are waited for at once, and then several signs are found at a
 /// time. As many as a byte can number.
 const TOGETHER: usize = 256;
+/// Signs that are looked through at once.
+const CHUNK: usize = 16;
 
 struct Judge<'a> {
     view: DiagramView<'a>,
@@ -61,28 +67,33 @@ struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    fn decide(&self, first: usize, mask: &mut [bool], corners: &mut Corners, tally: &mut Tally) {
+    /// Decides some rows and tallies them; those after them, up to `end`, come next.
+    fn decide(&self, first: usize, end: usize, mask: &mut [bool], corners: &mut Corners, tally: &mut Tally) {
         let rows = first..first + mask.len();
-        corners.gather(self.view, rows.clone());
-        corners.sign(self.slack);
-        let mut infinite = 0;
-        for (i, (kept, &sign)) in mask.iter_mut().zip(&corners.signs).enumerate() {
-            *kept = sign < 0;
-            if sign == 0 {
-                *kept = self.is_crust(first + i);
-                infinite += usize::from(!*kept & self.view.dual_edges[first + i].contains(&-1));
+        let next = rows.end..end.min(rows.end + TOGETHER);
+        corners.gather(self.view, rows.clone(), next);
+        let is_short = corners.sign(self.slack);
+        mask.iter_mut().zip(&corners.signs).for_each(|(kept, &sign)| *kept = sign < 0);
+        let mut not_drawn = 0;
+        for (i, signs) in corners.signs[..mask.len()].chunks(CHUNK).enumerate() {
+            // Few are open: their chunk is found at once.
+            if signs.iter().fold(false, |open, &sign| open | (sign == 0)) {
+                for i in (CHUNK * i..mask.len()).take(CHUNK).filter(|&i| corners.signs[i] == 0) {
+                    mask[i] = self.is_crust(first + i);
+                    not_drawn += usize::from(!mask[i] & self.view.dual_edges[first + i].contains(&-1));
+                }
             }
         }
-        let crust = mask.iter().map(|&kept| u32::from(kept)).sum::<u32>() as usize;
-        let mut short = 0;
-        if corners.shortest() == 0.0 {
+        if is_short {
             for k in rows.clone().filter(|&k| shares(self.view, k)) {
-                short += usize::from(!mask[k - first]);
+                not_drawn += usize::from(!mask[k - first]);
                 tally.short.push(self.view.dual_edges[k]);
             }
         }
+        let crust = mask.iter().map(|&kept| u32::from(kept)).sum::<u32>() as usize;
         tally.crust += crust;
-        tally.axis += rows.len() - crust - infinite - short;
+        tally.axis += rows.len() - crust - not_drawn;
+        tally.not_drawn += not_drawn;
     }
 
     #[cold]
@@ -99,86 +110,84 @@ impl Judge<'_> {
     }
 }
 
-/// One end of some edges and both ends of their duals, one coordinate a row.
+/// One end of some edges and both ends of their duals.
 ///
 /// All circles through both ends of an edge have their centres on its dual or beyond, and the ends of the dual exclude
 /// each other exactly when an end of the edge sees the dual under an acute angle. So one site and two vertices are
 /// enough, and vertices lie in memory as edges do; sites may be in any order.
 struct Corners {
-    places: [Point; TOGETHER],
-    sites: [[f64; TOGETHER]; 2],
-    rights: [[f64; TOGETHER]; 2],
-    lefts: [[f64; TOGETHER]; 2],
+    sites: [Point; TOGETHER],
+    rights: [Point; TOGETHER],
+    lefts: [Point; TOGETHER],
     /// Of the angle at each site: -1 when it is certainly obtuse, 1 when it is certainly acute, else 0.
     signs: [i8; TOGETHER],
+    ahead: Ahead,
+}
+
+/// The sites of the edges that come next: they are on their way while those before them are looked at.
+struct Ahead {
+    places: [Point; TOGETHER],
+    which: [u8; TOGETHER],
 }
 
 impl Corners {
     fn new() -> Self {
-        let nowhere = [[0.0; TOGETHER]; 2];
-        Self { places: [[0.0; 2]; TOGETHER], sites: nowhere, rights: nowhere, lefts: nowhere, signs: [0; TOGETHER] }
+        let nowhere = [[0.0; 2]; TOGETHER];
+        let ahead = Ahead { places: nowhere, which: [0; TOGETHER] };
+        Self { sites: nowhere, rights: nowhere, lefts: nowhere, signs: [0; TOGETHER], ahead }
     }
 
-    fn gather(&mut self, view: DiagramView<'_>, rows: Range<usize>) {
+    /// Takes up the sites that were on their way, finds the vertices, and sends for the sites of other rows.
+    fn gather(&mut self, view: DiagramView<'_>, rows: Range<usize>, next: Range<usize>) {
         let none = [f64::NAN; 2];
-        let (ends, count, which) = distinct(&view.edges[rows.clone()]);
-        // Nothing but these reads: many are then under way at once.
-        for (place, &site) in self.places.iter_mut().zip(&ends[..count]) {
-            *place = view.sites.get(site as usize).copied().unwrap_or(none);
+        let Ahead { places, which } = &mut self.ahead;
+        for (site, &which) in self.sites.iter_mut().zip(&*which) {
+            *site = places[usize::from(which)];
         }
-        for (i, dual) in view.dual_edges[rows].iter().enumerate() {
-            let [right, left] = dual.map(|t| view.vertices.get(t as usize).copied().unwrap_or(none));
-            [self.sites[0][i], self.sites[1][i]] = self.places[usize::from(which[i])];
-            [self.rights[0][i], self.rights[1][i]] = right;
-            [self.lefts[0][i], self.lefts[1][i]] = left;
+        let wanted = distinct(&view.edges[next], which);
+        let corners = self.rights.iter_mut().zip(&mut self.lefts).zip(places.iter_mut().zip(&wanted));
+        let mut duals = view.dual_edges[rows].iter();
+        for ((right, left), (place, &site)) in corners {
+            let dual = duals.next().copied().unwrap_or([-1; 2]);
+            *right = *view.vertices.get(dual[0] as usize).unwrap_or(&none);
+            *left = *view.vertices.get(dual[1] as usize).unwrap_or(&none);
+            *place = *view.sites.get(site as usize).unwrap_or(&none);
         }
     }
 
-    fn sign(&mut self, slack: Slack) {
+    /// Finds the signs. Whether there may be dual edges without length.
+    fn sign(&mut self, slack: Slack) -> bool {
+        let mut is_short = false;
         for i in 0..TOGETHER {
-            let (x, y) = (self.sites[0][i], self.sites[1][i]);
-            let (ax, ay) = (self.rights[0][i] - x, self.rights[1][i] - y);
-            let (bx, by) = (self.lefts[0][i] - x, self.lefts[1][i] - y);
+            let [x, y] = self.sites[i];
+            let (ax, ay) = (self.rights[i][0] - x, self.rights[i][1] - y);
+            let (bx, by) = (self.lefts[i][0] - x, self.lefts[i][1] - y);
             let (a, b) = (ax.abs() + ay.abs(), bx.abs() + by.abs());
             let (value, error) = (ax * bx + ay * by, slack.part * (a * b) + slack.least * (a + b) + TINY);
             let is_near = a + b < HUGE;
             self.signs[i] = i8::from(is_near & (value > error)) - i8::from(is_near & (value < -error));
+            is_short |= (ax == bx) & (ay == by);
         }
-    }
-
-    /// Zero when one of the dual edges has no length.
-    fn shortest(&self) -> f64 {
-        let length = |i: usize| {
-            let apart = |axis: usize| (self.rights[axis][i] - self.lefts[axis][i]).abs();
-            apart(0) + apart(1)
-        };
-        let mut least = [f64::INFINITY; 4];
-        for i in (0..TOGETHER).step_by(4) {
-            for (j, least) in least.iter_mut().enumerate() {
-                *least = if length(i + j) < *least { length(i + j) } else { *least };
-            }
-        }
-        least.into_iter().fold(f64::INFINITY, f64::min)
+        is_short
     }
 }
 
-/// Sites, one of every edge, how many, and which of them is the edge's own: edges come in runs that share one, and it is
-/// taken once.
-fn distinct(edges: &[[i32; 2]]) -> ([i32; TOGETHER], usize, [u8; TOGETHER]) {
-    let (mut found, mut count, mut which) = ([0; TOGETHER], 0, [0; TOGETHER]);
-    let mut last = -1;
-    for (i, &[from, to]) in edges.iter().enumerate().take(TOGETHER) {
-        if from != last && to != last {
-            last = match edges.get(i + 1) {
-                Some(next) if next.contains(&to) => to,
-                _ => from,
-            };
-            found[count] = last;
-            count += 1;
-        }
-        which[i] = (count - 1) as u8;
+/// Sites, one of every edge, and which of them is the edge's own: edges come in runs that share one, and it is taken
+/// once. After them stands the last one again.
+fn distinct(edges: &[[i32; 2]], which: &mut [u8; TOGETHER]) -> [i32; TOGETHER] {
+    let (mut found, mut last, mut count) = ([0; TOGETHER], -1, 0_usize);
+    for (i, (&[from, to], which)) in edges.iter().zip(which).enumerate() {
+        let ends = edges[(i + 1).min(edges.len() - 1)];
+        // Where a run ends cannot be foretold.
+        let shared = select_unpredictable((ends[0] == to) | (ends[1] == to), to, from);
+        let is_new = (from != last) & (to != last);
+        last = select_unpredictable(is_new, shared, last);
+        count += usize::from(is_new);
+        found[count.wrapping_sub(1) % TOGETHER] = last;
+        *which = count.wrapping_sub(1) as u8;
     }
-    (found, count, which)
+    found[count.min(TOGETHER)..].fill(last);
+    found
 }
 
 /// Products below this may have lost bits.
