@@ -127,6 +127,7 @@ def test_an_opening_shuts_doors(tmp_path: Path) -> None:
     whole = run("maze", "-n", 200, "--seed", 1, "-o", path).stdout
     half = run("maze", "-n", 200, "--seed", 1, "--opening", 0.5, "-o", path).stdout
     assert whole != half
+    assert ", no solution, seed 1" in run("maze", "-n", 200, "--seed", 1, "--opening", 0, "-o", path).stdout
     refused(run("maze", "--opening", 2, "-o", path), "--opening")
 
 

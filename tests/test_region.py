@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import networkx as nx
 import numpy as np
 import pytest
 import shapely
@@ -53,6 +54,19 @@ def test_every_piece_of_a_large_maze_is_reached() -> None:
     away = m.distances(entrance)
     assert away[exit_] == max(m.distances(cell)[m.rim].max() for cell in m.rim.tolist())
     assert len(m.solve(entrance, exit_)) == away[exit_] + 1
+
+
+@pytest.mark.parametrize("opening", [0.5, 0.8, 0.9])
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_ways_through_parted_mazes_cross_the_part_with_most_of_the_outline(opening: float, seed: int) -> None:
+    m = cz.maze(cz.sample.uniform(600, rng=seed), within=polygon(HOLED), opening=opening, rng=seed)
+    graph = nx.Graph(m.sides[m.plan.open if m.plan else m.open].tolist())
+    shares = [part & set(m.rim.tolist()) for part in nx.connected_components(graph)]
+    largest = max(len(share) for share in shares)
+    entrance, exit_ = m.ends
+    assert any({entrance, exit_} <= share and len(share) == largest for share in shares)
+    assert nx.shortest_path_length(graph, entrance, exit_) == len(m.solve(entrance, exit_)) - 1
+    assert m.statistics.solution > 1
 
 
 def test_the_outline_has_a_gap_at_entrance_and_exit() -> None:

@@ -75,13 +75,14 @@ class Maze(Drawing, Record):
     def ends(self) -> tuple[int, ...]:
         """Entrance and exit: the two cells farthest apart, of those on the outline if the maze is within a shape.
 
-        None where there are no two such cells that a way joins.
+        Where shut doors have parted such a maze, those of its part that has most cells on the outline. None where no
+        way joins two such cells.
         """
         if self.plan is None:
             way = self.longest()
             return (int(way[0]), int(way[-1])) if len(way) > 1 else ()
         # In a tree the cell farthest from any cell is an end of the longest way between cells of the rim.
-        first = self._farthest(self.start)
+        first = self._farthest(self._entered)
         second = self._farthest(first)
         return (first, second) if first != second else ()
 
@@ -89,6 +90,18 @@ class Maze(Drawing, Record):
     def rim(self) -> NDArray[np.int32]:
         """(k,) int32, the cells on the outline of the shape, holes left out."""
         return np.unique(self.plan.rim) if self.plan is not None else np.empty(0, dtype=np.int32)
+
+    @property
+    def _entered(self) -> int:
+        """A cell of the part with most cells of the rim: the start, if that part holds it."""
+        (size, sides), is_open = self._doors
+        labels, count = _core.graph_components(size, np.compress(is_open, sides, axis=0))
+        rim = self.rim[labels[self.rim] >= 0]
+        sizes = np.bincount(labels[rim], minlength=count)
+        own = labels[self.start]
+        if not len(rim) or (own >= 0 and sizes[own] == sizes.max()):
+            return self.start
+        return int(rim[labels[rim] == sizes.argmax()][0])
 
     def _farthest(self, source: int) -> int:
         rim = self.rim

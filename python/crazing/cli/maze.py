@@ -74,9 +74,9 @@ def command(*, output: str, solution: bool, distances: bool, seed: int | None, *
         begin("writing")
         maze.save(output, solution=solution, distances=distances, **paper)
     found = maze.statistics
+    way = f"solution {found.solution} cells, winding {found.winding:.1f}" if found.solution else "no solution"
     click.echo(
-        f"{output}: {found.cells} cells, {found.dead_ends} dead ends, {found.junctions} junctions, "
-        f"solution {found.solution} cells, winding {found.winding:.1f}, seed {seed}"
+        f"{output}: {found.cells} cells, {found.dead_ends} dead ends, {found.junctions} junctions, {way}, seed {seed}"
     )
 
 
