@@ -35,8 +35,10 @@ def test_debris_lies_in_cracks_only():
 def test_a_plate_around_a_torus_is_level():
     """It has no middle to tilt about: it would meet itself in a step."""
     tilted = cz.Material(tilt=1, level=0, grain=0, curl=0, rim=0, relief=1)
-    drawing = cz.steps.impact(200, period=(1, 1), source=(0.5, 0.5), rng=1)
-    star = cz.steps.widen(drawing, width=0.004)
+    drawing = cz.steps.impact(200, bounds=(0.1, 0.1, 0.9, 0.9), source=(0.5, 0.5), rng=1)
+    plane = cz.steps.widen(drawing, width=0.004)
+    whole = {"bounds": (0, 0, 1, 1), "period": (1, 1), "shifts": np.zeros((len(plane.graph.edges), 2), dtype=np.int8)}
+    star = dataclasses.replace(plane, **whole)
     maps = cz.texture(star, 128, maps=["normal", "cell"], material=tilted, seed=3)
     border = maps["cell"][0]
     assert (border == border[0]).all()

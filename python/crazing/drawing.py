@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from crazing import _core, arguments
 from crazing.diagram import diagram
+from crazing.fence import fenced
 from crazing.graph import PlanarGraph
 from crazing.record import Record
 
@@ -119,27 +120,3 @@ def draw(graph: PlanarGraph, *, bounds: Sequence[float] | None = None) -> Drawin
         np.maximum(sides[1], vertices.max(axis=0, initial=-np.inf)),
     )
     return paired(net, fenced(net, (*(1.5 * low - 0.5 * high), *(1.5 * high - 0.5 * low))), box)
-
-
-def fenced(net: Net, box: Sequence[float]) -> Fence:
-    """The triangles about edges that leave no period, in a box that holds them all."""
-    vertices, edges, shifts, _, _ = net
-    xmin, ymin, xmax, ymax = box
-    anchors = np.array([(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)])
-    d = diagram(np.concatenate([vertices, anchors]), constraints=edges)
-    # The corner of the triangle on either side of an edge that is no end of it.
-    ends, sides = d.edges.astype(np.int64), d.dual_edges
-    third = d.triangles.astype(np.int64)[sides].sum(axis=2) - ends.sum(axis=1)[:, None]
-    third[sides < 0] = -1
-    kites = np.column_stack([ends, third[:, ::-1]])
-    name = np.sort(ends, axis=1) @ (len(d.sites), 1)
-    order = np.argsort(name)
-    wanted = np.sort(edges.astype(np.int64), axis=1) @ (len(d.sites), 1)
-    rows = order[np.searchsorted(name[order], wanted)]
-    own = kites[rows]
-    turned = own[:, 0] != edges[:, 0]
-    own[turned] = own[turned][:, [1, 0, 3, 2]]
-    others = np.ones(len(kites), dtype=bool)
-    others[rows] = False
-    found = np.ascontiguousarray(np.concatenate([own, kites[others]]), dtype=np.int32)
-    return anchors, found, np.zeros((len(found) if len(shifts) else 0, 6), dtype=np.int8)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from crazing import _core, sample, steps
 from crazing.arguments import bounds_tuple, number, real_array
 from crazing.diagram import Diagram, as_tiling, bounds_of
-from crazing.drawing import fenced
+from crazing.fence import fenced, fenced_torus
 from crazing.images import brightness
 from crazing.maze import maze
 from crazing.patches import Patches
@@ -68,12 +68,13 @@ class Site:
         if r.generator == "impact":
             (x, y), _ = self.centre(box)
             drawing = steps.impact(r.n, source=(x, y), speed=r.speed, arcs=r.arcs, rng=seed, **where)
-            # On a torus the cracks keep to the period about the source; in the plane there is room all about.
             wide, high = box[2] - box[0], box[3] - box[1]
-            room = (x - wide / 2, y - high / 2, x + wide / 2, y + high / 2)
             if self.period is None:
-                room = (box[0] - wide, box[1] - high, box[2] + wide, box[3] + high)
-            drawing = replace(drawing, fence=fenced(drawing.net, room))
+                # There is room all about.
+                fence = fenced(drawing.net, (box[0] - wide, box[1] - high, box[2] + wide, box[3] + high))
+            else:
+                fence = fenced_torus(drawing.net, (x - wide / 2, y - high / 2))
+            drawing = replace(drawing, fence=fence)
         else:
             drawing = steps.split(
                 r.n,

@@ -183,10 +183,12 @@ def impact(
 ) -> Drawing:
     """Cracks of an impact on glass: straight spokes, then arcs between them.
 
+    On a torus the longest spokes go on until they meet cracks about a copy of the source.
+
     Parameters
     ----------
     n : int
-        About how many pieces there are in the end.
+        The more, the finer the pieces; some hundreds at most.
     source : (x, y), optional
         Where, data units; the middle by default.
     speed : float

@@ -1,6 +1,9 @@
 //! An impact on glass: straight spokes first, then arcs between them, and new spokes where the old ones lie far apart.
 
 mod drawn;
+mod meet;
+mod parting;
+mod room;
 
 use std::collections::VecDeque;
 
@@ -17,7 +20,7 @@ use crate::watch::Watch;
 const MEASURED: [f64; 2] = [70.0, 4.0];
 /// The first arcs lie this near, the last no farther than the whole reach.
 const CRUSHED: f64 = 0.025;
-/// On a torus spokes end before they meet their copies.
+/// On a torus no crack leaves the period about the source before spokes grow on.
 const OWN: f64 = 0.96;
 /// There, how much nearer to the source than that they may end, as a part of the way.
 const EARLY: f64 = 0.3;
@@ -35,10 +38,6 @@ const SAG: f64 = 0.06;
 const STEP: f64 = 1.4;
 /// An arc as long as this many sides of a piece is too long: a new spoke leaves its middle, or a spoke forks.
 const LONG: f64 = 2.2;
-/// The share of those that are forks, and the most radians beside its spoke that one leads on, for each time as far: it
-/// leaves at about twice that.
-const FORKS: f64 = 0.4;
-const FORKED: f64 = 0.22;
 /// The crushed zone: within this part of the reach a piece is broken up by a short spoke, as often as this.
 const CORE: f64 = 0.16;
 const CHIPPED: f64 = 0.6;
@@ -50,7 +49,7 @@ pub struct Impact {
     pub source: Point,
     /// Speed, km/h: spokes grow as its square root.
     pub speed: f64,
-    /// About how many pieces there are in the end.
+    /// The more, the finer the pieces; some hundreds at most.
     pub cells: usize,
     /// The share of arcs that are there near the source; fewer farther out.
     pub arcs: f64,
@@ -92,6 +91,10 @@ struct Spoke {
     age: i32,
     /// The vertices along it, by distance.
     at: Vec<(f64, i32)>,
+    /// Whether it gets as far as it can.
+    reaches: bool,
+    /// The vertices where it has grown on, by distance, and the copy of the period about the source that each is in.
+    beyond: Vec<(f64, i32, [i8; 2])>,
 }
 
 /// Between two spokes, from a distance outward.
@@ -108,7 +111,8 @@ struct Wedge {
 
 struct Star {
     how: Impact,
-    half: Option<Point>,
+    /// What is repeated, on a torus.
+    period: Option<Point>,
     reach: f64,
     /// Each arc is about this many times as far as the one before.
     growth: f64,
@@ -130,8 +134,8 @@ impl Star {
         let [x, y] = how.source;
         let size = [xmax - xmin, ymax - ymin];
         let corner = libm::hypot((x - xmin).abs().max((xmax - x).abs()), (y - ymin).abs().max((ymax - y).abs()));
-        let half = on_torus.then(|| size.map(|side| OWN * side / 2.0));
-        let reach = half.map_or(corner, |half| half[0].max(half[1]));
+        let period = on_torus.then_some(size);
+        let reach = period.map_or(corner, |[wide, high]| OWN * wide.max(high) / 2.0);
         let count = spokes(how.speed);
         let rings = (how.cells as f64 / (1.6 * count as f64)).max(2.0);
         let growth = libm::pow(1.0 / CRUSHED, 1.0 / rings).max(1.3);
@@ -139,7 +143,7 @@ impl Star {
         let rng = Rng::new(key, stream::IMPACT);
         let mut star = Self {
             how,
-            half,
+            period,
             reach,
             growth,
             side,
@@ -185,17 +189,22 @@ impl Star {
     fn add_spoke(&mut self, angle: f64, start: (f64, i32)) -> usize {
         let chance = self.normal();
         // A square of tips would show the tile: on a torus they lie within an ellipse, none as far as the next.
-        let most = self.half.map_or(2.0 * self.reach, |half| {
-            let far = 1.0 / libm::hypot(libm::cos(angle) / half[0], libm::sin(angle) / half[1]);
+        let most = self.period.map_or(2.0 * self.reach, |[wide, high]| {
+            let far = OWN / (2.0 * libm::hypot(libm::cos(angle) / wide, libm::sin(angle) / high));
             far * (1.0 - EARLY * libm::exp(-chance.abs()))
         });
         // Two of three get all the way, the first ones all: one that ended would leave half of its side empty.
-        let to = if chance > -0.43 || start.1 == 0 {
-            most
-        } else {
-            start.0 + (self.reach.min(most) - start.0).max(0.0) * libm::exp(0.6 * chance)
-        };
-        self.spokes.push(Spoke { angle, to: to.min(most), age: self.ages, at: vec![start] });
+        let reaches = chance > -0.43 || start.1 == 0;
+        let to =
+            if reaches { most } else { start.0 + (self.reach.min(most) - start.0).max(0.0) * libm::exp(0.6 * chance) };
+        self.spokes.push(Spoke {
+            angle,
+            to: to.min(most),
+            age: self.ages,
+            at: vec![start],
+            reaches,
+            beyond: Vec::new(),
+        });
         self.ages += 1;
         self.spokes.len() - 1
     }
@@ -214,7 +223,8 @@ impl Star {
             let is_wide = far * wedge.wide > (0.8 + 0.5 * self.rng.unit()) * self.side;
             let share = self.how.arcs * wedge.busy * (1.0 - far / self.reach).max(0.0).sqrt();
             let (is_kept, is_chipped) = (self.rng.unit() < share, self.rng.unit() < CHIPPED * self.how.arcs);
-            if is_wide {
+            // A spoke would run on through what closes a wedge.
+            if is_wide && wedge.to.is_infinite() {
                 return self.part(wedge, far, most);
             }
             if far < CORE * self.reach && is_chipped && self.chip(wedge, far, most) {
@@ -224,60 +234,6 @@ impl Star {
                 self.arc(wedge, far, false);
             }
         }
-    }
-
-    /// A new spoke in a wedge that has become too wide: from the middle of an arc, or forking off one of its spokes.
-    fn part(&mut self, wedge: &Wedge, far: f64, most: f64) {
-        let (is_fork, is_first) = (self.rng.unit() < FORKS, self.rng.unit() < 0.5);
-        let (off, straight) = (0.3 + 0.25 * self.rng.unit(), far * (1.6 + 0.8 * self.rng.unit()));
-        let off = (off * wedge.wide).min(FORKED * (straight / far - 1.0));
-        let [a, b] = wedge.spokes;
-        let (spoke, from, part) = if is_fork && straight < most {
-            let (old, off) = if is_first { (a, off) } else { (b, -off) };
-            let part = if is_first { off / wedge.wide } else { 1.0 + off / wedge.wide };
-            (self.fork(old, far, off, straight), straight, part)
-        } else {
-            let (middle, angle) = self.arc(wedge, far, true);
-            (self.add_spoke(angle, middle), far * (1.0 + OFF), 0.5)
-        };
-        for (spokes, part) in [([a, spoke], part), ([spoke, b], 1.0 - part)] {
-            let busy = wedge.busy * (0.6 + 0.8 * self.rng.unit());
-            self.wedges.push_back(Wedge { spokes, from, to: wedge.to, wide: part * wedge.wide, busy });
-        }
-    }
-
-    /// A spoke that leaves another and is `off` radians beside it at a distance, from where it leads away from the source.
-    fn fork(&mut self, old: usize, far: f64, off: f64, straight: f64) -> usize {
-        let angle = self.spokes[old].angle;
-        let root = self.add_point(angle, far);
-        self.spokes[old].at.push((far, root));
-        self.forks.push((root, off.abs()));
-        let spoke = self.add_spoke(angle + off, (far, root));
-        let bend = self.add_point(angle + off, straight);
-        self.spokes[spoke].at.push((straight, bend));
-        self.spokes[spoke].to = self.spokes[spoke].to.max(straight);
-        spoke
-    }
-
-    /// Breaks up a piece near the source: a short spoke between two arcs, and what lies on both its sides. Whether there
-    /// is room for it.
-    fn chip(&mut self, wedge: &Wedge, far: f64, most: f64) -> bool {
-        let end = far * STEP * STEP * (1.0 + 0.8 * self.rng.unit());
-        if end * (1.0 + OFF) >= most {
-            return false;
-        }
-        let (start, angle) = self.arc(wedge, far, true);
-        let spoke = self.add_spoke(angle, start);
-        let (middle, _) = self.arc(wedge, end, true);
-        self.spokes[spoke].at.push(middle);
-        self.spokes[spoke].to = middle.0;
-        let [a, b] = wedge.spokes;
-        let (from, to, wide) = (far * (1.0 + OFF), end * (1.0 - OFF - SAG), 0.5 * wedge.wide);
-        for spokes in [[a, spoke], [spoke, b]] {
-            self.wedges.push_back(Wedge { spokes, from, to, wide, busy: 1.0 });
-        }
-        self.wedges.push_back(Wedge { from: end * (1.0 + OFF), ..*wedge });
-        true
     }
 
     /// An arc across a wedge; its middle vertex, and the angle it lies at.

@@ -1,53 +1,63 @@
 //! The cracks of an impact as a drawing, and the room about each.
 
-use super::{OFF, OWN, Star};
+use super::Star;
+use super::room::rooms;
 use crate::crack::aged::{Aged, by_age};
 use crate::crack::fence::Fence;
 use crate::crack::net::Net;
 use crate::graph::Point;
 
-/// How near the room about an edge comes to its neighbours; where a fork leaves at a narrow angle, this part of it.
-const ROOM: f64 = 0.25;
-const SHARP: f64 = 0.25;
+/// How far from the source a vertex is, which one it is, and in which copy of the period.
+type Along = (f64, i32, [i8; 2]);
 
 impl Star {
     pub(super) fn finish(mut self) -> Aged {
-        let (mut net, mut fence, mut age) = (Net::default(), Fence::default(), Vec::new());
+        let mut net = Net { period: self.period.unwrap_or_default(), ..Net::default() };
+        let old = self.points.len() as i32;
+        if let Some(period) = self.period {
+            self.grow_on(period);
+        }
+        let (mut age, mut new) = (Vec::new(), Vec::new());
+        let is_new = |vertex: i32| vertex >= old;
         let mut lines = Vec::new();
         for i in 0..self.spokes.len() {
             let (angle, to) = (self.spokes[i].angle, self.spokes[i].to);
-            let mut at = std::mem::take(&mut self.spokes[i].at);
-            at.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            if at.last().is_some_and(|&(far, _)| far < to) {
+            let [mut at, mut beyond] = [
+                self.spokes[i].at.iter().map(|&(far, vertex)| (far, vertex, [0; 2])).collect(),
+                std::mem::take(&mut self.spokes[i].beyond),
+            ];
+            at.sort_by(by_distance);
+            beyond.sort_by(by_distance);
+            if beyond.is_empty() && at.last().is_some_and(|&(far, ..)| far < to) {
                 let tip = self.add_point(angle, to);
-                at.push((to, tip));
+                at.push((to, tip, [0; 2]));
             }
-            lines.push((at.into_iter().map(|(_, vertex)| vertex).collect::<Vec<i32>>(), self.spokes[i].age));
+            at.append(&mut beyond);
+            let line: Vec<(i32, [i8; 2])> = at.into_iter().map(|(_, vertex, copy)| (vertex, copy)).collect();
+            lines.push((line, self.spokes[i].age));
         }
-        lines.extend(self.arcs.iter().map(|(line, age, _)| (line.clone(), *age)));
+        lines.extend(
+            self.arcs.iter().map(|(line, age, _)| (line.iter().map(|&vertex| (vertex, [0; 2])).collect(), *age)),
+        );
         let narrowest = self.narrowest();
         let mut is_fork = vec![false; self.points.len()];
         self.forks.iter().for_each(|&(vertex, _)| is_fork[vertex as usize] = true);
         for (line, born) in lines {
             for pair in line.windows(2) {
-                net.edges.push([pair[0], pair[1]]);
+                if self.period.is_some() && pair.iter().any(|&(vertex, _)| is_new(vertex)) {
+                    new.push(net.edges.len());
+                }
+                net.edges.push([pair[0].0, pair[1].0]);
+                net.shifts.push([0, 1].map(|axis| pair[1].1[axis] - pair[0].1[axis]));
                 age.push(born);
             }
         }
         net.vertices = self.points;
         net.cut = vec![false; net.vertices.len()];
-        for &[a, b] in &net.edges {
-            let first = (net.vertices.len() + fence.anchors.len()) as i32;
-            let ends = [a, b].map(|vertex| net.vertices[vertex as usize]);
-            let part = if is_fork[a as usize] || is_fork[b as usize] { SHARP } else { 1.0 };
-            fence.anchors.extend(self::room(ends, self.how.source, narrowest, part * ROOM));
-            fence.kites.push([a, b, first, first + 1]);
+        if self.period.is_none() {
+            net.shifts.clear();
         }
-        if let Some(half) = self.half {
-            net.period = half.map(|side| 2.0 * side / OWN);
-            net.shifts = vec![[0, 0]; net.edges.len()];
-            fence.shifts = vec![[0; 6]; net.edges.len()];
-        }
+        let fence = fence(&net, rooms(net.view(), self.how.source, narrowest, &is_fork, &new));
         let partner = by_age(&net, &age);
         Aged { net, fence, partner, age }
     }
@@ -59,13 +69,18 @@ impl Star {
     }
 }
 
-/// A place to the left and one to the right of an edge, nearer than any other edge: neighbours leave its ends at about
-/// a right angle, other spokes are an angle away, other arcs a part of the distance to the source.
-fn room([a, b]: [Point; 2], source: Point, narrowest: f64, part: f64) -> [Point; 2] {
-    let (x, y) = (b[0] - a[0], b[1] - a[1]);
-    let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
-    let far = libm::hypot(middle[0] - source[0], middle[1] - source[1]);
-    let most = part * libm::hypot(x, y).min(far * narrowest).min(OFF * far);
-    let part = most / libm::hypot(x, y).max(f64::MIN_POSITIVE);
-    [[middle[0] - part * y, middle[1] + part * x], [middle[0] + part * y, middle[1] - part * x]]
+/// From the source outward.
+fn by_distance(a: &Along, b: &Along) -> std::cmp::Ordering {
+    a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
+}
+
+/// Two triangles about each edge, with these places beside it.
+fn fence(net: &Net, rooms: Vec<[Point; 2]>) -> Fence {
+    let first = net.vertices.len() as i32;
+    let kite = |(k, &[a, b]): (usize, &[i32; 2])| [a, b, first + 2 * k as i32, first + 2 * k as i32 + 1];
+    Fence {
+        kites: net.edges.iter().enumerate().map(kite).collect(),
+        shifts: net.shifts.iter().map(|&[x, y]| [x, y, 0, 0, 0, 0]).collect(),
+        anchors: rooms.into_flattened(),
+    }
 }
