@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import secrets
 import shutil
 import stat
 import tempfile
@@ -55,13 +56,10 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
                 shutil.copyfileobj(file, device)
         return
     target = Path(os.path.realpath(path))
+    # Named before it is there: an interrupt finds it at any time.
+    name = target.parent / f".tmp-{secrets.token_hex(8)}"
     try:
-        number, name = tempfile.mkstemp(prefix=".tmp-", dir=target.parent)
-    except OSError as error:
-        # Of the file that was asked for, not of the one beside it.
-        raise OSError(error.errno, error.strerror, str(path)) from None
-    try:
-        with open(number, "wb") as file:
+        with _created(name, path) as file:
             os.chmod(name, _mode(target))
             yield file
             file.flush()
@@ -72,6 +70,15 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
             os.unlink(name)
         raise
     _flush_folder(target.parent)
+
+
+def _created(name: Path, path: str | os.PathLike[str]) -> BinaryIO:
+    """A new file that nobody else may read."""
+    try:
+        return open(name, "xb", opener=lambda file, flags: os.open(file, flags, 0o600))
+    except OSError as error:
+        # Of the file that was asked for, not of the one beside it.
+        raise OSError(error.errno, error.strerror, str(path)) from None
 
 
 def _is_device(path: str | os.PathLike[str]) -> bool:

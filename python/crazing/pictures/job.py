@@ -89,9 +89,9 @@ class Job:
         one = self.draw(0, 1)
         row = sum(array.nbytes for array in one.values())
         band = next((rows for rows in BANDS if rows * row <= BAND_BYTES), BANDS[-1])
-        states = self._left(band)
         writers: list[Writer] = []
         try:
+            states = self._left(band)
             writers += (self._writer(index, one, band) for index in range(len(self.pictures)))
             done = min(writer.resume(own) for writer, own in _columns(writers, states))
             for writer, own in _columns(writers, states[:done]):
@@ -103,7 +103,7 @@ class Job:
         finally:
             for writer in writers:
                 writer.close()
-            if not _lines(self.part / _JOURNAL):
+            if self.part.exists() and not _lines(self.part / _JOURNAL):
                 # Nothing that could be gone on with.
                 shutil.rmtree(self.part)
         for index, picture in enumerate(self.pictures):
