@@ -186,15 +186,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--small", action="store_true", help="few points, few rounds")
     parser.add_argument("--browser", action="store_true", help="in Chromium too; needs the extra browser")
-    parser.add_argument("-o", "--output", type=Path, default=Path(), help="folder for editor.txt")
+    parser.add_argument("-o", "--output", type=Path, help="also write the table to a file in this folder")
     options = parser.parse_args()
     count, rounds = (200, 3) if options.small else (2000, 30)
     lines = answers(count, rounds)
     if options.browser:
         lines += ["", *drawings(count, rounds)]
-    options.output.mkdir(parents=True, exist_ok=True)
-    (options.output / "editor.txt").write_text("\n".join(lines) + "\n")
     print("\n".join(lines))
+    if options.output:
+        options.output.mkdir(parents=True, exist_ok=True)
+        (options.output / "editor.txt").write_text("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":
