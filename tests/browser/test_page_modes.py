@@ -299,7 +299,8 @@ def test_layers_follow_a_drag_of_two_thousand_points(opened: Opener) -> None:
             for knob in ("delaunay", "voronoi", "poles"):
                 editor.turn(knob, True)
         editor.mode(mode)
-        editor.rest()
+        # The picture of rest, begun before the button is down, would wait until it is up.
+        editor.settle()
         x, y = editor.place(*editor.points[1000])
         editor.page.mouse.move(x, y)
         editor.page.mouse.down()
