@@ -58,6 +58,15 @@ class PlanarGraph(Record):
         object.__setattr__(self, "edges", arguments.index_pairs(self.edges, "edges", limit=len(vertices)))
         super().__post_init__()
 
+    @classmethod
+    def _of_core(cls, vertices: NDArray[np.float64], edges: NDArray[np.int32]) -> PlanarGraph:
+        """A graph of arrays that the core has made, and nobody has to look through again."""
+        graph = object.__new__(cls)
+        object.__setattr__(graph, "vertices", vertices)
+        object.__setattr__(graph, "edges", edges)
+        Record.__post_init__(graph)
+        return graph
+
     def __repr__(self) -> str:
         return f"PlanarGraph({len(self.vertices)} vertices, {len(self.edges)} edges)"
 

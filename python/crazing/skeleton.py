@@ -276,7 +276,7 @@ def curve(points: ArrayLike | Diagram) -> PlanarGraph:
     (18, {2})
     """
     diagram = as_diagram(points)
-    return PlanarGraph(diagram.sites, _core.curve_edges(diagram.arrays))
+    return PlanarGraph._of_core(diagram.sites, _core.curve_edges(diagram.arrays))
 
 
 def crust(points: ArrayLike | Diagram, *, method: str = "two-pass") -> PlanarGraph:
@@ -540,11 +540,11 @@ def _frozen(mask: Mask) -> Mask:
 
 def _crust_graph(diagram: Diagram, mask: Mask) -> PlanarGraph:
     # Several times faster than indexing with the mask.
-    return PlanarGraph(diagram.sites, np.compress(mask, diagram.edges, axis=0))
+    return PlanarGraph._of_core(diagram.sites, np.compress(mask, diagram.edges, axis=0))
 
 
 def _axis_graph(diagram: Diagram, mask: Mask) -> PlanarGraph:
-    return PlanarGraph(diagram.vertices, _core.axis_edges(diagram.arrays, mask))
+    return PlanarGraph._of_core(diagram.vertices, _core.axis_edges(diagram.arrays, mask))
 
 
 def _one_step(diagram: Diagram) -> Skeleton:
@@ -555,7 +555,7 @@ def _one_step(diagram: Diagram) -> Skeleton:
     else:
         mask, *drawn = _core.one_step(diagram.arrays)
         masks["one-step"] = _frozen(mask)
-        crust, axis = PlanarGraph(diagram.sites, drawn[0]), PlanarGraph(diagram.vertices, drawn[1])
+        crust, axis = PlanarGraph._of_core(diagram.sites, drawn[0]), PlanarGraph._of_core(diagram.vertices, drawn[1])
     return Skeleton(diagram, "one-step", crust, axis, mask, ~mask)
 
 
@@ -571,10 +571,10 @@ def _edge_filter(diagram: Diagram) -> Skeleton:
 
 
 def _poles(variant: str, diagram: Diagram) -> Skeleton:
-    axis = PlanarGraph(diagram.vertices, _core.poles_axis(diagram.arrays, variant == "amenta"))
+    axis = PlanarGraph._of_core(diagram.vertices, _core.poles_axis(diagram.arrays, variant == "amenta"))
     return Skeleton(diagram, "poles", _crust_graph(diagram, _two_pass_mask(diagram)), axis, None, None)
 
 
 def _initial(diagram: Diagram) -> Skeleton:
-    axis = PlanarGraph(diagram.vertices, _core.initial(diagram.arrays))
+    axis = PlanarGraph._of_core(diagram.vertices, _core.initial(diagram.arrays))
     return Skeleton(diagram, "initial", _crust_graph(diagram, _two_pass_mask(diagram)), axis, None, None)

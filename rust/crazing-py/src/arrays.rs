@@ -1,7 +1,11 @@
 //! NumPy arrays to slices of rows and back, without a copy.
 
-use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{
+    Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2,
+    PyUntypedArrayMethods,
+};
 use pyo3::exceptions::PyTypeError;
+use pyo3::intern;
 use pyo3::prelude::*;
 
 use crate::guard::checked;
@@ -32,4 +36,20 @@ pub(crate) fn column<'a, T: Element>(
         Ok(entries) if found == wanted => Ok(entries),
         _ => checked(Err(crazing::Error::BadLength { array: name, found, wanted })),
     }
+}
+
+/// An `(n, N)` array of NumPy's that nothing has been written to yet: what it is cleared for is saved.
+pub(crate) fn unwritten<'py, T: Element, const N: usize>(
+    py: Python<'py>,
+    count: usize,
+) -> PyResult<Bound<'py, PyArray2<T>>> {
+    let made = py.import(intern!(py, "numpy"))?.call_method1(intern!(py, "empty"), ((count, N), T::get_dtype(py)))?;
+    Ok(made.cast_into()?)
+}
+
+/// The rows of such an array, to be written.
+pub(crate) fn rows_mut<'a, T: Element, const N: usize>(
+    array: &'a mut PyReadwriteArray2<'_, T>,
+) -> PyResult<&'a mut [[T; N]]> {
+    Ok(array.as_slice_mut()?.as_chunks_mut::<N>().0)
 }

@@ -32,7 +32,8 @@ impl Arrays<'_> {
         Ok(view)
     }
 
-    fn unchecked(&self) -> PyResult<DiagramView<'_>> {
+    /// A view for what looks at indices itself.
+    pub(crate) fn unchecked(&self) -> PyResult<DiagramView<'_>> {
         Ok(DiagramView {
             sites: rows(&self.0)?,
             triangles: rows(&self.1)?,

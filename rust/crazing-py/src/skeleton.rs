@@ -2,11 +2,11 @@
 
 use crazing::DiagramView;
 use crazing::skeleton;
-use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::{column, rows, table};
+use crate::arrays::{column, rows, rows_mut, table, unwritten};
 use crate::diagram::Arrays;
 use crate::guard::detached;
 
@@ -31,9 +31,20 @@ type Table<'py> = Bound<'py, PyArray2<i32>>;
 /// Whether each edge is one-step crust, the edges that are, and the dual edges of the others that are drawn.
 #[pyfunction]
 pub(crate) fn one_step<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<OneStep<'py>> {
-    let view = arrays.view()?;
+    // Indices are looked at on the way.
+    let view = arrays.unchecked()?;
     let found = detached(py, |_| skeleton::one_step_drawn(view))?;
-    Ok((PyArray1::from_vec(py, found.mask), table(py, found.crust)?, table(py, found.axis)?))
+    let [crust, axis] = found.counts();
+    let (crust, axis) = (unwritten::<_, 2>(py, crust)?, unwritten::<_, 2>(py, axis)?);
+    let mut held = [crust.readwrite(), axis.readwrite()];
+    let [first, second] = &mut held;
+    let (first, second) = (rows_mut(first)?, rows_mut(second)?);
+    detached(py, |_| {
+        found.draw(view, first, second);
+        Ok(())
+    })?;
+    drop(held);
+    Ok((PyArray1::from_vec(py, found.into_mask()), crust, axis))
 }
 
 /// For every side of every triangle the same side as seen from across.

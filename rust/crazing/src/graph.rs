@@ -75,14 +75,20 @@ pub fn compact(vertices: &[Point], edges: &[[i32; 2]], watch: Watch<'_>) -> Resu
 /// # Errors
 /// [`Error::BadIndex`] naming the first entry that is not.
 pub fn check_indices<const N: usize>(array: &'static str, rows: &[[i32; N]], low: i32, limit: usize) -> Result<()> {
-    let limit = i32::try_from(limit).unwrap_or(i32::MAX);
-    let bad = |value: i32| (value < low) | (value >= limit);
-    // Without a way out of the loop: all entries are looked at several at a time.
-    let any = |rows: &[[i32; N]]| rows.as_flattened().iter().fold(false, |found, &value| found | bad(value));
-    if !parallel::ranges(rows.len(), |range| any(&rows[range])).contains(&true) {
+    if !parallel::ranges(rows.len(), |range| are_indices(&rows[range], low, limit)).contains(&false) {
         return Ok(());
     }
+    let limit = i32::try_from(limit).unwrap_or(i32::MAX);
+    let bad = |value: i32| (value < low) | (value >= limit);
     let row = rows.iter().position(|row| row.iter().any(|&value| bad(value))).unwrap_or(0);
     let value = rows[row].iter().copied().find(|&value| bad(value)).unwrap_or(low);
     Err(Error::BadIndex { array, row, value: value.into(), low: low.into(), limit: limit.into() })
+}
+
+/// Whether every entry of `rows` is at least `low` and less than `limit`.
+#[inline(always)]
+pub(crate) fn are_indices<const N: usize>(rows: &[[i32; N]], low: i32, limit: usize) -> bool {
+    let limit = i32::try_from(limit).unwrap_or(i32::MAX);
+    // Without a way out of the loop: all entries are looked at several at a time.
+    rows.as_flattened().iter().fold(true, |fit, &value| fit & (value >= low) & (value < limit))
 }

@@ -209,9 +209,11 @@ fn what_is_drawn_is_read_off_the_mask() {
             let (found, mask) = (one_step_drawn(d.view()).unwrap(), one_step(d.view()).unwrap());
             let rest: Vec<bool> = mask.iter().map(|kept| !kept).collect();
             let crust = d.edges.iter().zip(&mask).filter(|(_, kept)| **kept).map(|(&ends, _)| ends);
-            assert_eq!(found.crust, crust.collect::<Vec<_>>(), "{name} {n}");
-            assert_eq!(found.axis, axis_edges(d.view(), &rest), "{name} {n}");
-            assert_eq!(found.mask, mask, "{name} {n}");
+            let mut drawn = found.counts().map(|count| vec![[-9; 2]; count]);
+            let [first, second] = &mut drawn;
+            found.draw(d.view(), first, second);
+            assert_eq!(drawn, [crust.collect(), axis_edges(d.view(), &rest)], "{name} {n}");
+            assert_eq!(found.into_mask(), mask, "{name} {n}");
         }
     }
 }

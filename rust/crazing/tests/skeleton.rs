@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use crazing::diagram::{diagram, representatives};
 use crazing::predicates::{apex_sign, nearer_sign, one_step_sign, projection_sign};
-use crazing::skeleton::{Variant, axis_edges, gabriel, nearest, one_step, poles, poles_axis, second};
+use crazing::skeleton::{Variant, axis_edges, gabriel, nearest, one_step, one_step_drawn, poles, poles_axis, second};
 use crazing::{Diagram, Error, Point, Watch};
 use families::{any_points, family, lattice, shuffled};
 use proptest::prelude::*;
@@ -93,6 +93,13 @@ fn edges_are_told_apart_where_a_chain_of_vertices_shares_one_place_far_from_its_
         let on_ring = (0..crust.len()).filter(|&k| d.edges[k].iter().all(|&site| site < count));
         let kept = on_ring.filter(|&k| crust[k]).count();
         assert!((200..400).contains(&kept), "{kept}");
+        let drawn = one_step_drawn(d.view()).unwrap();
+        let mut rows = drawn.counts().map(|count| vec![[-9; 2]; count]);
+        let [first, second] = &mut rows;
+        drawn.draw(d.view(), first, second);
+        let rest: Vec<bool> = crust.iter().map(|kept| !kept).collect();
+        let wanted = d.edges.iter().zip(&crust).filter(|(_, kept)| **kept).map(|(&ends, _)| ends);
+        assert_eq!(rows, [wanted.collect(), axis_edges(d.view(), &rest)]);
     }
 }
 

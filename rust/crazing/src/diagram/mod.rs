@@ -29,8 +29,10 @@ pub use tile::tile;
 pub use vertices::representatives;
 pub(crate) use vertices::{COINCIDENT, lowest_of, shares};
 
+use std::ops::Range;
+
 use crate::error::{Error, Result};
-use crate::graph::{Point, check_indices};
+use crate::graph::{Point, are_indices, check_indices};
 
 /// A Delaunay triangulation and its Voronoi dual, edge by edge.
 ///
@@ -88,14 +90,29 @@ impl DiagramView<'_> {
     /// # Errors
     /// [`Error::BadIndex`] or [`Error::BadLength`] with the first place that does not fit.
     pub fn check(&self) -> Result<()> {
+        self.check_lengths()?;
+        check_indices("triangles", self.triangles, 0, self.sites.len())?;
+        check_indices("edges", self.edges, 0, self.sites.len())?;
+        self.check_duals()
+    }
+
+    /// Checks that arrays which belong together are as long.
+    ///
+    /// # Errors
+    /// [`Error::BadLength`] with the first that is not.
+    pub fn check_lengths(&self) -> Result<()> {
         let length = |array, found, wanted| {
             if found == wanted { Ok(()) } else { Err(Error::BadLength { array, found, wanted }) }
         };
         length("vertices", self.vertices.len(), self.triangles.len())?;
-        length("dual_edges", self.dual_edges.len(), self.edges.len())?;
-        check_indices("triangles", self.triangles, 0, self.sites.len())?;
-        check_indices("edges", self.edges, 0, self.sites.len())?;
-        self.check_duals()
+        length("dual_edges", self.dual_edges.len(), self.edges.len())
+    }
+
+    /// Whether some edges join sites, and their duals vertices: for who looks at them anyway.
+    #[inline(always)]
+    pub(crate) fn fits(&self, rows: Range<usize>) -> bool {
+        are_indices(&self.edges[rows.clone()], 0, self.sites.len())
+            && are_indices(&self.dual_edges[rows], -1, self.vertices.len())
     }
 
     /// Checks that dual edges join vertices.

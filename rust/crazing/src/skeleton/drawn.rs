@@ -5,67 +5,77 @@ use crate::diagram::{DiagramView, lowest_of, shares};
 use crate::error::Result;
 use crate::parallel;
 
-/// The one-step crust, and what is drawn of it and of its axis.
-#[derive(Debug, Clone, Default, PartialEq)]
+/// The one-step crust, and what is to be drawn of it and of its axis.
+#[derive(Debug)]
 pub struct OneStep {
-    /// Whether each edge is crust.
-    pub mask: Vec<bool>,
-    /// The edges that are.
-    pub crust: Vec<[i32; 2]>,
-    /// The dual edges of the others, as [`axis_edges`] gives them.
-    pub axis: Vec<[i32; 2]>,
+    mask: Vec<bool>,
+    tallies: Vec<Tally>,
 }
 
-/// [`one_step`](super::one_step) with the edges of crust and axis: what is to be drawn is counted on the way.
+/// [`one_step`](super::one_step) with what is to be drawn, which is counted on the way.
 ///
 /// # Errors
 /// As there.
 pub fn one_step_drawn(view: DiagramView<'_>) -> Result<OneStep> {
     let (mask, tallies) = judged(view)?;
-    let pairs: Vec<[i32; 2]> = tallies.iter().flat_map(|tally| &tally.short).copied().collect();
-    let lowest = (!pairs.is_empty()).then(|| lowest_of(view.vertices.len(), &pairs));
-    let (crust, axis) = match &lowest {
-        None => parted(view, &mask, &tallies, |dual| dual),
-        Some(lowest) => parted(view, &mask, &tallies, |dual| dual.map(|t| lowest.get(t as usize).map_or(-1, |&t| t))),
-    };
-    Ok(OneStep { mask, crust, axis })
+    Ok(OneStep { mask, tallies })
 }
 
-type Rows = Vec<[i32; 2]>;
+impl OneStep {
+    /// Whether each edge is crust.
+    pub fn into_mask(self) -> Vec<bool> {
+        self.mask
+    }
 
-/// The edges in the mask and the dual edges of the others, by representatives.
-fn parted(
-    view: DiagramView<'_>,
-    mask: &[bool],
-    tallies: &[Tally],
-    represented: impl Fn([i32; 2]) -> [i32; 2] + Sync + Send,
-) -> (Rows, Rows) {
-    let count = |of: fn(&Tally) -> usize| tallies.iter().map(of).sum::<usize>();
-    let (mut crust, mut axis) = (vec![[0; 2]; count(|tally| tally.crust)], vec![[0; 2]; count(|tally| tally.axis)]);
-    let crusts = parallel::shared(&mut crust, tallies.iter().map(|tally| tally.crust));
-    let axes = parallel::shared(&mut axis, tallies.iter().map(|tally| tally.axis));
-    // Where every dual edge can be drawn, none has to be looked at.
-    let none_is_short = tallies.iter().all(|tally| tally.short.is_empty());
-    let parts = parallel::all_ranges(mask.len()).zip(tallies).zip(crusts.zip(axes)).collect();
-    parallel::parts(mask.len(), parts, |((range, tally), (crust, axis))| {
-        let mut next = [0; 2];
-        if none_is_short && tally.not_drawn == 0 {
-            for ((&is_crust, &edge), &dual) in
-                mask[range.clone()].iter().zip(&view.edges[range.clone()]).zip(&view.dual_edges[range])
-            {
-                put(crust, &mut next[0], edge, is_crust);
-                put(axis, &mut next[1], dual, !is_crust);
+    /// How many edges are crust, and how many dual edges of the others are drawn.
+    pub fn counts(&self) -> [usize; 2] {
+        let count = |of: fn(&Tally) -> usize| self.tallies.iter().map(of).sum();
+        [count(|tally| tally.crust), count(|tally| tally.axis)]
+    }
+
+    /// Writes the edges of the crust, and the dual edges of the others as [`axis_edges`] gives them: so many as
+    /// [`counts`](Self::counts) says.
+    pub fn draw(&self, view: DiagramView<'_>, crust: &mut [[i32; 2]], axis: &mut [[i32; 2]]) {
+        let pairs: Vec<[i32; 2]> = self.tallies.iter().flat_map(|tally| &tally.short).copied().collect();
+        if pairs.is_empty() {
+            return self.part(view, [crust, axis], |dual| dual);
+        }
+        let lowest = lowest_of(view.vertices.len(), &pairs);
+        self.part(view, [crust, axis], |dual| dual.map(|t| lowest.get(t as usize).map_or(-1, |&t| t)));
+    }
+
+    /// The edges in the mask and the dual edges of the others, by representatives.
+    fn part(
+        &self,
+        view: DiagramView<'_>,
+        [crust, axis]: [&mut [[i32; 2]]; 2],
+        represented: impl Fn([i32; 2]) -> [i32; 2] + Sync + Send,
+    ) {
+        let (mask, tallies) = (&self.mask, &self.tallies);
+        let crusts = parallel::shared(crust, tallies.iter().map(|tally| tally.crust));
+        let axes = parallel::shared(axis, tallies.iter().map(|tally| tally.axis));
+        // Where every dual edge can be drawn, none has to be looked at.
+        let none_is_short = tallies.iter().all(|tally| tally.short.is_empty());
+        let parts = parallel::all_ranges(mask.len()).zip(tallies).zip(crusts.zip(axes)).collect();
+        parallel::parts(mask.len(), parts, |((range, tally), (crust, axis))| {
+            let mut next = [0; 2];
+            if none_is_short && tally.not_drawn == 0 {
+                for ((&is_crust, &edge), &dual) in
+                    mask[range.clone()].iter().zip(&view.edges[range.clone()]).zip(&view.dual_edges[range])
+                {
+                    put(crust, &mut next[0], edge, is_crust);
+                    put(axis, &mut next[1], dual, !is_crust);
+                }
+                return;
             }
-            return;
-        }
-        for k in range {
-            let (is_crust, dual) = (mask[k], represented(view.dual_edges[k]));
-            let is_axis = !is_crust & (dual[0] != -1) & (dual[1] != -1) & (dual[0] != dual[1]);
-            put(crust, &mut next[0], view.edges[k], is_crust);
-            put(axis, &mut next[1], dual, is_axis);
-        }
-    });
-    (crust, axis)
+            for k in range {
+                let (is_crust, dual) = (mask[k], represented(view.dual_edges[k]));
+                let is_axis = !is_crust & (dual[0] != -1) & (dual[1] != -1) & (dual[0] != dual[1]);
+                put(crust, &mut next[0], view.edges[k], is_crust);
+                put(axis, &mut next[1], dual, is_axis);
+            }
+        });
+    }
 }
 
 /// Writes a row, and the next over it where it is none: which ones are cannot be foretold.

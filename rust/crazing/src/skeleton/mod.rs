@@ -5,6 +5,7 @@ mod boxes;
 mod branches;
 mod bumps;
 mod candidates;
+mod corners;
 mod cost;
 mod curve;
 mod disc;
