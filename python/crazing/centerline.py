@@ -86,7 +86,8 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
     apart = _default_spacing(length, area) if spacing is None else _checked(spacing, length, exponent)
     several = spacing is None and len(parts) > 1
     found, edges = _axis(rings, lambda lines: _spacings(lines, apart) if several else [apart] * len(lines))
-    return PlanarGraph(np.ldexp(found.vertices, exponent), edges).compact()
+    vertices = np.ldexp(found.vertices, exponent) if exponent else found.vertices
+    return PlanarGraph._of_core(vertices, edges).compact()
 
 
 def _axis(rings: list[Ring], apart: Callable[[list[Ring]], list[float]]) -> tuple[Diagram, NDArray[np.int32]]:
@@ -133,13 +134,14 @@ def _opened(ring: Ring) -> Ring:
     """The ring without repeated points."""
     if not np.isfinite(ring).all():
         raise CrazingError("a ring of the polygon holds nan or infinity; every coordinate must be finite")
-    x, y = ring.T
-    ring = ring[(x != np.roll(x, 1)) | (y != np.roll(y, 1))]
+    differs = ring != np.concatenate([ring[-1:], ring[:-1]])
+    is_new = differs[:, 0] | differs[:, 1]
+    ring = ring if is_new.all() else ring[is_new]
     if len(ring) < 3:
         raise DegenerateInputError(f"a ring of the polygon has {len(ring)} distinct points; at least 3 are wanted")
     (scaled,), _ = _scaled([ring])
     away = scaled - scaled[0]
-    along = away[np.abs(away).max(axis=1).argmax()]
+    along = away[np.abs(away).argmax() // 2]
     if not (away[:, 0] * along[1] != away[:, 1] * along[0]).any():
         raise DegenerateInputError("a ring of the polygon has no area")
     return ring

@@ -49,6 +49,9 @@ def conforming(rings: list[Ring], rounds: int) -> tuple[Diagram, Mask, list[Ring
 
 def is_touched(found: Diagram, boundary: Mask) -> bool:
     """Whether any site has not two sides: rings meet there, or one passes through it twice."""
+    if np.count_nonzero(boundary) == len(found.sites) == len(found.site_of):
+        # Every point of the rings has a place to itself.
+        return False
     return bool((np.bincount(found.edges[boundary].ravel(), minlength=len(found.sites)) != 2).any())
 
 

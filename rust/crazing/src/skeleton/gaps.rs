@@ -43,6 +43,15 @@ struct Net<'a> {
     about: &'a Incidence,
 }
 
+/// Where the sites stand, if there is nothing to mend: every site is on one ring, and none of these is small.
+pub(super) fn whole(count: usize, lines: &[Line]) -> Option<Vec<Stand>> {
+    let are_rings = lines.iter().all(|line| line.closed && line.sites.len() >= SPLINTER);
+    if !are_rings || lines.iter().map(|line| line.sites.len()).sum::<usize>() != count {
+        return None;
+    }
+    Some(placed(count, lines)).filter(|stands| stands.iter().all(|stand| stand.line != -1))
+}
+
 pub(super) fn closed(
     view: DiagramView<'_>,
     sites: &[Point],

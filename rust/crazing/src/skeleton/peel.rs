@@ -33,12 +33,18 @@ pub fn peeled(view: DiagramView<'_>, axis: &[bool], worth: &[f64], least: f64, w
             false => tree.kept[k] &= !is_weak,
         }
     }
-    // The best ones first: what they have joined needs no worse one.
-    weak.sort_by(|&a, &b| worth[b as usize].total_cmp(&worth[a as usize]));
-    for &k in &weak {
-        let [a, b] = tree.duals[k as usize];
-        if !sets.unite(a as usize, b as usize) {
-            tree.cut(k);
+    let strong = sets.clone();
+    let mut joins = |k: &u32| sets.unite(tree.duals[*k as usize][0] as usize, tree.duals[*k as usize][1] as usize);
+    // Where no weak edge closes a cycle, none has to be better than another.
+    if !weak.iter().all(&mut joins) {
+        sets = strong;
+        // The best ones first: what they have joined needs no worse one.
+        weak.sort_by(|&a, &b| worth[b as usize].total_cmp(&worth[a as usize]));
+        for &k in &weak {
+            let [a, b] = tree.duals[k as usize];
+            if !sets.unite(a as usize, b as usize) {
+                tree.cut(k);
+            }
         }
     }
     peel(&mut tree, weak, |k| worth[k as usize] < least, watch)?;

@@ -7,6 +7,7 @@ use crate::diagram::{DiagramView, depths};
 use crate::error::{Error, Result};
 use crate::graph::{Point, Polylines, polylines};
 use crate::incidence::Incidence;
+use crate::parallel;
 use crate::watch::Watch;
 
 /// A line of sites; the last is joined to the first when it is closed.
@@ -50,6 +51,10 @@ impl<'a> Rings<'a> {
         let sites: Vec<Point> = view.sites.iter().map(|&p| scale.down(p)).collect();
         let kept: Vec<[i32; 2]> = view.edges.iter().zip(mask).filter(|(_, kept)| **kept).map(|(&e, _)| e).collect();
         let lines = opened(&polylines(sites.len(), &kept, watch)?);
+        if let Some(stands) = gaps::whole(sites.len(), &lines) {
+            let along = lines.iter().map(|line| travelled(line, &sites)).collect();
+            return Ok(Self { view, scale, sites, lines, stands, along, wall: mask.to_vec() });
+        }
         let about = Incidence::of(sites.len(), view.edges);
         let Closed { lines, stands, bridges } = gaps::closed(view, &sites, &about, lines, watch)?;
         let along = lines.iter().map(|line| travelled(line, &sites)).collect();
@@ -115,7 +120,8 @@ impl<'a> Rings<'a> {
     /// # Source
     /// Ogniewicz, Kübler: Hierarchic Voronoi Skeletons (1995).
     pub fn residuals(&self) -> Vec<f64> {
-        self.view.edges.iter().map(|&[p, q]| self.residual(p as usize, q as usize)).collect()
+        let edges = self.view.edges;
+        parallel::map(edges.len(), |k| self.residual(edges[k][0] as usize, edges[k][1] as usize))
     }
 
     pub(super) fn residual(&self, p: usize, q: usize) -> f64 {
