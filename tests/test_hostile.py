@@ -111,7 +111,7 @@ SHAPELESS: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
     "bounds without an area": (
         lambda: cz.crack(n=9, bounds=(0, 0, 5e-324, 5e-324), rng=1),
         ValueError,
-        "an area that a float can hold",
+        r"bounds is \(0.0, 0.0, 5e-324, 5e-324\); coordinates of at most 1e\+60 and sides of at least 1e-60",
     ),
     "a start beyond": (lambda: cz.maze(SQUARE, start=6), ValueError, "start is 6; the cell of one of 6"),
     "points by the milliard": (lambda: cz.sample.from_polygon(SQUARE[:4], n=10**9), ValueError, "n is 1000000000"),
@@ -125,6 +125,55 @@ SHAPELESS: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
 
 def maze() -> cz.Maze:
     return cz.maze(SQUARE, rng=1)
+
+
+def big(unit: float) -> cz.PlanarGraph:
+    return cz.PlanarGraph(unit * np.array(SQUARE), [(0, 1), (1, 2)])
+
+
+# Where areas are computed. Bounds in which nothing is but cut, and points, may be as large as floats are.
+AREAS: dict[str, Callable[[float], Any]] = {
+    "poisson_disk": lambda unit: cz.sample.poisson_disk(unit / 5, bounds=(0, 0, unit, unit), rng=1),
+    "poisson_disk, torus": lambda unit: cz.sample.poisson_disk(unit / 5, period=(unit, unit), rng=1),
+    "relax": lambda unit: cz.sample.relax(unit * np.array(SQUARE), iterations=1, bounds=(0, 0, unit, unit)),
+    "relax, torus": lambda unit: cz.sample.relax(
+        unit * np.array(SQUARE) / 8, iterations=1, bounds=(0, 0, unit, unit), period=(unit, unit)
+    ),
+    "crack": lambda unit: cz.crack(n=20, bounds=(-unit, 0, unit, unit), rng=1),
+    "crack, torus": lambda unit: cz.crack(n=20, period=(unit, unit), rng=1),
+    "crack, points": lambda unit: cz.crack(unit * np.array(SQUARE), rng=1),
+    "preset": lambda unit: cz.crack(preset="glaze", bounds=(0, 0, unit, unit), rng=1),
+    "impact": lambda unit: cz.crack(preset="glass-impact", period=(unit, unit), rng=1),
+    "split": lambda unit: cz.steps.split(9, bounds=(0, 0, unit, unit), rng=1),
+    "draw": lambda unit: cz.steps.draw(big(unit)),
+    "measure": lambda unit: cz.measure(big(unit)),
+    "measure, bounds": lambda unit: cz.measure(big(unit), bounds=(0, 0, unit, unit)),
+    "texture": lambda unit: cz.texture(cz.crack(n=20, rng=1), 8, bounds=(0, 0, unit, unit)),
+    "texture, crack": lambda unit: cz.texture(cz.Crack(big(unit), unit / 9, 0, 0, (0, 0, unit, unit)), 8, maps="mask"),
+}
+
+
+@pytest.mark.parametrize("unit", [1e200, 1e300, 1e-200, 1e-300])
+@pytest.mark.parametrize("name", AREAS)
+@pytest.mark.filterwarnings("error")
+def test_too_wide_and_too_narrow_is_said_in_one_way(name: str, unit: float) -> None:
+    limits = r"1e\+30 and sides of at least 1e-30" if "texture" in name else r"1e\+60 and sides of at least 1e-60"
+    with pytest.raises(ValueError, match=rf"(bounds|period|points|edges) is \(.*e[-+].*\); coordinates of .* {limits}"):
+        AREAS[name](unit)
+
+
+@pytest.mark.parametrize("name", [name for name in AREAS if name != "texture"])
+@pytest.mark.filterwarnings("error")
+def test_far_from_one_is_not_too_far(name: str) -> None:
+    limit = 1e29 if "texture" in name else 1e59
+    assert AREAS[name](limit) is not None
+    assert AREAS[name](1 / limit) is not None
+
+
+@pytest.mark.parametrize("radius", [1e-200, 1e200])
+def test_a_radius_without_a_square_is_named(radius: float) -> None:
+    with pytest.raises(cz.CrazingError, match=r"radius is 1e-?200; a positive number .* whose square is a float"):
+        cz.sample.poisson_disk(radius)
 
 
 @pytest.mark.parametrize("name", SHAPELESS)

@@ -11,6 +11,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from crazing.errors import CrazingError
+
 # Rows are numbered with 32-bit integers.
 _INDEX_LIMIT = 2**31 - 1
 
@@ -230,6 +232,19 @@ def bounds_tuple(value: Any, name: str = "bounds") -> tuple[float, float, float,
     if not (xmin < xmax and ymin < ymax and np.isfinite(xmax - xmin) and np.isfinite(ymax - ymin)):
         raise ValueError(f"{name} is {(xmin, ymin, xmax, ymax)}; xmin < xmax and ymin < ymax are wanted")
     return xmin, ymin, xmax, ymax
+
+
+_Box = TypeVar("_Box", bound=tuple[float, ...])
+
+
+def areal(box: _Box, name: str = "bounds", *, largest: float = 1e60, why: str = "areas are squared") -> _Box:
+    """Bounds, or a period, in which the squares of areas are floats."""
+    xmin, ymin, xmax, ymax = box if len(box) == 4 else (0.0, 0.0, *box)
+    sides = xmax - xmin, ymax - ymin
+    if not (max(*map(abs, box), *sides) <= largest and min(sides) >= 1 / largest):
+        wanted = f"at most {largest:g} and sides of at least {1 / largest:g} are wanted"
+        raise CrazingError(f"{name} is {box}; coordinates of {wanted}: {why}")
+    return box
 
 
 def period_pair(value: Any, name: str = "period") -> tuple[float, float]:

@@ -109,7 +109,7 @@ def draw(graph: PlanarGraph, *, bounds: Sequence[float] | None = None) -> Drawin
         low, high = (np.min(small.vertices, axis=0), np.max(small.vertices, axis=0)) if len(small.edges) else (0, 1)
         margin = 0.1 * (float(np.max(np.subtract(high, low))) or 1.0)
         bounds = (*np.subtract(low, margin) * np.ones(2), *np.add(high, margin) * np.ones(2))
-    box = arguments.bounds_tuple(bounds)
+    box = arguments.areal(arguments.bounds_tuple(bounds))
     places = diagram(small.vertices)
     vertices, edges = places.sites, places.site_of[small.edges]
     sides = np.reshape(box, (2, 2))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core, arguments
-from crazing.arguments import bounds_tuple, count, number
+from crazing.arguments import areal, bounds_tuple, count, number
 from crazing.crack import Crack
 from crazing.graph import PlanarGraph
 from crazing.images import brightness
@@ -142,7 +142,7 @@ def _exact(source: Crack | PlanarGraph, bounds: _Bounds | None, gauge: tuple[flo
     if period is not None:
         found = _core.statistics(lines, period, None, period[0] * period[1], gauge)
     else:
-        found = _core.statistics(lines, (0.0, 0.0), bounds, _area(lines[0], bounds), gauge)
+        found = _core.statistics(lines, (0.0, 0.0), bounds, _area(lines[0], lines[1], bounds), gauge)
     return CrackStatistics(**dict(found))
 
 
@@ -165,14 +165,22 @@ def _lines(source: Crack | PlanarGraph) -> tuple[_Lines, tuple[float, float] | N
 
 def _cut(source: Crack | PlanarGraph, bounds: ArrayLike | None) -> _Bounds | None:
     if bounds is not None:
-        return bounds_tuple(bounds)
-    return source.bounds if isinstance(source, Crack) else None
+        return areal(bounds_tuple(bounds))
+    return areal(source.bounds, "crack.bounds") if isinstance(source, Crack) else None
 
 
-def _area(vertices: NDArray[np.float64], bounds: _Bounds | None) -> float:
+def _area(vertices: NDArray[np.float64], edges: NDArray[np.int32], bounds: _Bounds | None) -> float:
+    """Of the bounds, or of the box around the edges: a vertex without one is not drawn."""
     if bounds is None:
-        low, high = (vertices.min(axis=0), vertices.max(axis=0)) if len(vertices) else (np.zeros(2), np.zeros(2))
-        return float(np.prod(high - low))
+        ends = vertices[np.unique(edges)]
+        low, high = (ends.min(axis=0), ends.max(axis=0)) if len(ends) else (np.zeros(2), np.zeros(2))
+        with np.errstate(over="ignore"):
+            sides = high - low
+            square = (*low.tolist(), *(low + sides.max()).tolist())
+        # A line along an axis has no area, and is to have none. What is not finite the core names by its row.
+        if np.isfinite(ends).all() and sides.max(initial=0) > 0:
+            areal(square, "the square about the edges")
+        return float(sides[0] * sides[1])
     return (bounds[2] - bounds[0]) * (bounds[3] - bounds[1])
 
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from crazing import arguments, course, files, steps
 from crazing import rng as _rng
-from crazing.arguments import bounds_tuple, choice, count, meant, number, period_pair
+from crazing.arguments import areal, bounds_tuple, choice, count, meant, number, period_pair
 from crazing.crack import Crack
 from crazing.diagram import Diagram
 from crazing.maze import TREES
@@ -285,16 +285,17 @@ class Recipe:
             If a coordinate is NaN or infinite.
         """
         seed = _rng.generator(rng)
-        torus = None if period is None else period_pair(period)
+        torus = None if period is None else areal(period_pair(period), "period")
         if torus is not None and bounds is not None:
             raise ValueError("bounds and period are both given; a periodic picture is one period")
         if points is not None and self.generator != "maze":
             raise ValueError(f"points are given; the generator {self.generator!r} takes none")
-        box = None if bounds is None else bounds_tuple(bounds)
+        box = None if bounds is None else areal(bounds_tuple(bounds))
         if box is None and points is None:
             box = (0.0, 0.0, *(torus or (1.0, 1.0)))
         site = Site(self, box, torus, source, density)
         drawing, unit = site.maze(points, seed) if self.generator == "maze" else site.aged(seed)
+        areal(drawing.bounds, "the box around the points")
         return self._course(site, drawing, unit, seed, width).crack(drawing)
 
     def _course(

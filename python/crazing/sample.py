@@ -202,7 +202,10 @@ def poisson_disk(
     >>> 55 < len(points) < 85
     True
     """
-    box = arguments.bounds_tuple(bounds) if period is None else (0.0, 0.0, *arguments.period_pair(period))
+    if period is None:
+        box = arguments.areal(arguments.bounds_tuple(bounds))
+    else:
+        box = 0.0, 0.0, *arguments.areal(arguments.period_pair(period), "period")
     radius = arguments.number(radius, "radius", low=0.0)
     return _core.sample_poisson_disk(radius, box, period is not None, key(rng))
 
@@ -297,8 +300,8 @@ def relax(
     >>> cz.sample.relax(points, iterations=100, bounds=(0, 0, 1, 1)).round(2).sum().item()
     4.0
     """
-    box = arguments.bounds_tuple(bounds)
-    sides = None if period is None else arguments.period_pair(period)
+    box = arguments.areal(arguments.bounds_tuple(bounds))
+    sides = None if period is None else arguments.areal(arguments.period_pair(period), "period")
     if sides is not None and not np.allclose(sides, (box[2] - box[0], box[3] - box[1]), rtol=1e-12, atol=0):
         raise ValueError(f"period is {sides}, bounds is {box}; bounds as wide and high as the period are wanted")
     rounds = arguments.count(iterations, "iterations", high=1_000_000)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core, sample, steps
-from crazing.arguments import bounds_tuple, number, real_array
+from crazing.arguments import areal, bounds_tuple, number, real_array
 from crazing.diagram import Diagram, as_tiling, bounds_of
 from crazing.fence import fenced, fenced_torus
 from crazing.images import brightness
@@ -109,7 +109,7 @@ class Site:
         box = self.bounds
         if box is None:
             low, high = np.min(rows, axis=0), np.max(rows, axis=0)
-            box = bounds_tuple((*low, *high))
+            box = areal(bounds_tuple((*low, *high)), "the box around the points")
         return sample.relax(rows, iterations=self.recipe.relax, bounds=box, period=self.period)
 
     def _stretched(self, points: ArrayLike | Diagram | None, seed: np.random.Generator) -> tuple[steps.Drawing, float]:
@@ -139,8 +139,6 @@ class Site:
         """Points of the recipe's own sampler, in a frame."""
         r, box = self.recipe, frame.box
         area = (box[2] - box[0]) * (box[3] - box[1])
-        if not frame.area > 0:
-            raise ValueError(f"bounds is {frame.bounds}; an area that a float can hold is wanted")
         n = round(r.n * area / frame.area)
         if r.sampler in ("normal", "laplace"):
             (x, y), side = self.centre(frame.bounds)

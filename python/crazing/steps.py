@@ -239,8 +239,8 @@ def impact(
 
 def _box(bounds: Sequence[float], period: Sequence[float] | None) -> Bounds:
     if period is None:
-        return arguments.bounds_tuple(bounds)
-    return 0.0, 0.0, *arguments.period_pair(period)
+        return arguments.areal(arguments.bounds_tuple(bounds))
+    return 0.0, 0.0, *arguments.areal(arguments.period_pair(period), "period")
 
 
 def _place(source: Sequence[float]) -> tuple[float, float]:

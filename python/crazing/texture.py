@@ -361,7 +361,8 @@ def texture_plan(
     seed = arguments.count(seed, "seed", high=2**63 - 1)
     arguments.thread_count(threads)
     arrays = _pattern(crack)
-    box = arguments.bounds_tuple(crack.bounds if bounds is None else bounds)
+    box = _drawn(crack.bounds, "crack.bounds")
+    box = box if bounds is None else _drawn(bounds, "bounds")
     scaled = _scaled(material, crack, arrays)
     sides = _sides(names, material, crack, arrays)
     return TexturePlan(crack, shape, names, material, box, seed, threads, arrays, sides, scaled)
@@ -488,6 +489,10 @@ def _pattern(crack: Any) -> tuple[Any, ...]:
     shifts = np.zeros((len(edges), 2)) if shifts is None else shifts
     labels = (np.ascontiguousarray(label, dtype=np.int32) for label in (crack.strand, crack.generation))
     return vertices, edges, np.ascontiguousarray(shifts, dtype=np.int8).reshape(-1, 2), widths, *labels
+
+
+def _drawn(bounds: Any, name: str) -> Bounds:
+    return arguments.areal(arguments.bounds_tuple(bounds, name), name, largest=1e30, why="lengths are drawn as float32")
 
 
 def _sides(names: tuple[str, ...], material: Material, crack: Any, arrays: tuple[Any, ...]) -> tuple[Any, ...]:

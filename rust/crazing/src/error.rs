@@ -74,7 +74,7 @@ pub enum Error {
         row: usize,
     },
     /// A number outside its allowed range.
-    #[error("{name} is {value}; {wanted}")]
+    #[error("{name} is {}; {wanted}", short(*value))]
     BadValue {
         /// The argument.
         name: &'static str,
@@ -84,7 +84,7 @@ pub enum Error {
         wanted: &'static str,
     },
     /// An entry of an array that is outside its allowed range.
-    #[error("{array}[{row}] holds {value}; {wanted}")]
+    #[error("{array}[{row}] holds {}; {wanted}", short(*value))]
     BadEntry {
         /// Which array.
         array: &'static str,
@@ -144,9 +144,24 @@ fn spelt(value: f64) -> String {
     if value.is_nan() { "nan".into() } else { format!("{value:?}") }
 }
 
+/// A number in few digits: Rust writes out all zeros of what is very large or very small.
+fn short(value: f64) -> String {
+    let is_plain = value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs());
+    if is_plain { value.to_string() } else { spelt(value) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::Error;
+
+    #[test]
+    fn numbers_are_short() {
+        let message = |value| Error::BadValue { name: "radius", value, wanted: "more is wanted" }.to_string();
+        assert_eq!(message(2.0), "radius is 2; more is wanted");
+        assert_eq!(message(-0.0), "radius is -0; more is wanted");
+        assert_eq!(message(1e200), "radius is 1e200; more is wanted");
+        assert_eq!(message(-5e-324), "radius is -5e-324; more is wanted");
+    }
 
     #[test]
     fn coordinates_are_spelt_as_in_python() {

@@ -79,8 +79,9 @@ impl Grid {
     fn of(radius: f64, bounds: [f64; 4], on_torus: bool) -> Result<Self> {
         let sides = [bounds[2] - bounds[0], bounds[3] - bounds[1]];
         let wanted = sides.map(|side| (side / radius * std::f64::consts::SQRT_2).ceil().max(1.0));
-        if !(radius > 0.0 && radius.is_finite() && wanted[0] * wanted[1] <= MOST_CELLS) {
-            let wanted = "a positive, finite number is wanted, not too small for the bounds";
+        // Distances are compared by their squares: if all of these were zero or infinite, there would always be room.
+        if !(radius > 0.0 && (radius * radius).is_normal() && wanted[0] * wanted[1] <= MOST_CELLS) {
+            let wanted = "a positive number is wanted, not too small for the bounds, whose square is a float";
             return Err(Error::BadValue { name: "radius", value: radius, wanted });
         }
         let counts = wanted.map(|count| count as usize);
