@@ -194,6 +194,43 @@ def test_help_says_how(words: list[str]) -> None:
     assert result.stdout.startswith("Usage: ")
 
 
+@pytest.mark.parametrize(
+    "name", ["texture", "skeleton", "compare", "maze", "measure", "fit", "dataset", "edit", "presets"]
+)
+def test_every_command_takes_a_seed_and_an_output(name: str) -> None:
+    words = run(name, "--help").stdout
+    assert "--seed" in words
+    assert "-o, --output" in words
+
+
+def test_a_seed_changes_nothing_where_nothing_is_random(blob: Path, tmp_path: Path) -> None:
+    for seed in (1, 2):
+        run("skeleton", blob, "--seed", seed, "-o", tmp_path / f"{seed}.svg")
+    assert (tmp_path / "1.svg").read_bytes() == (tmp_path / "2.svg").read_bytes()
+
+
+def test_a_misspelt_command_is_asked_about() -> None:
+    refused(run("textur"), "No such command 'textur' (did you mean 'texture'?).")
+    refused(run("zzz"), "No such command 'zzz'. See")
+
+
+def test_presets_are_written_once_and_make_textures(tmp_path: Path) -> None:
+    folder = tmp_path / "mine"
+    assert run("presets", "-o", folder).exit_code == 0
+    assert {path.stem for path in folder.iterdir()} == set(cz.presets())
+    assert cz.Recipe.load(folder / "glaze.toml") == cz.preset("glaze")
+    refused(run("presets", "-o", folder), "asphalt-alligator.toml is there already")
+    picture = tmp_path / "glaze.png"
+    assert run("texture", "--recipe", folder / "glaze.toml", "--size", 32, "-o", picture).exit_code == 0
+
+
+def test_a_maze_tells_what_it_is_as_json(tmp_path: Path) -> None:
+    done = run("maze", "-n", 60, "--seed", 3, "--json", "-o", tmp_path / "maze.svg")
+    found = json.loads(done.stdout)
+    assert (found["cells"], found["seed"], found["output"]) == (60, 3, str(tmp_path / "maze.svg"))
+    assert {"dead_ends", "junctions", "solution", "winding"} < found.keys()
+
+
 def test_module_and_version() -> None:
     done = subprocess.run([*COMMAND, "--version"], capture_output=True, text=True, check=True)
     assert done.stdout == f"crazing {cz.__version__}\n"

@@ -289,7 +289,8 @@ def test_it_ends_when_nobody_comes_or_all_have_left() -> None:
 def test_the_command_serves_a_file_and_ends_at_ctrl_c(tmp_path: Path) -> None:
     path = tmp_path / "points.csv"
     path.write_text("x,y\n0.1,0.2\n3,4\n")
-    command = [sys.executable, "-m", "crazing", "edit", "--no-browser", str(path)]
+    kept = tmp_path / "kept.npy"
+    command = [sys.executable, "-m", "crazing", "edit", "--no-browser", "--seed", "11", "-o", str(kept), str(path)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as program:
         assert program.stdout is not None
         address = program.stdout.readline().split()[-1]
@@ -302,12 +303,18 @@ def test_the_command_serves_a_file_and_ends_at_ctrl_c(tmp_path: Path) -> None:
             time.sleep(0.1)
         with visitor.socket() as page:
             page.send(packed(Message({"kind": "hello", "serial": 1})))
-            points = np.frombuffer(unpacked(page.recv()).buffers[0])  # type: ignore[arg-type]
-        assert points.tolist() == [0.1, 0.2, 3.0, 4.0]
+            state = unpacked(page.recv())
+            assert np.frombuffer(state.buffers[0]).tolist() == [0.1, 0.2, 3.0, 4.0]  # type: ignore[arg-type]
+            values = state.content["values"]
+            assert {panel["seed"] for panel in values.values() if "seed" in panel} == {11}
+            asked = {"kind": "layers", "mode": "maze", "values": values}
+            page.send(packed(Message(asked, [np.array([5, 6, 7, 8, 9.5, 1]).tobytes()])))
+            assert unpacked(page.recv()).content["kind"] == "layers"
         program.send_signal(signal.SIGINT)
         _, errors = program.communicate(timeout=20)
     assert program.returncode == 130
     assert errors.strip() == ""
+    assert np.load(kept).tolist() == [[5, 6], [7, 8], [9.5, 1]]
 
 
 def test_a_file_without_points_is_refused_in_one_line(tmp_path: Path) -> None:

@@ -34,6 +34,17 @@ def test_measure_prints_a_table_and_json(folder: Path) -> None:
     assert found["t_share"] == exact.t_share and found["mask"] == "mask.png"
 
 
+def test_measure_writes_what_it_prints(folder: Path) -> None:
+    shown = run(folder, "measure", "mask.png", "--json", "-o", "found.json")
+    assert (folder / "found.json").read_text() == shown.stdout
+    run(folder, "measure", "mask.png", "-o", "found.csv")
+    rows = dict(line.split(",") for line in (folder / "found.csv").read_text().splitlines())
+    found = json.loads(shown.stdout)
+    assert {name: float(value) if value else None for name, value in rows.items()} == {
+        name: value for name, value in found.items() if name != "mask"
+    }
+
+
 def test_fit_writes_a_recipe_that_can_be_read(folder: Path) -> None:
     shown = run(folder, "fit", "mask.png", "--budget", "2", "--seed", "1", "-o", "mine.toml")
     assert shown.returncode == 0, shown.stderr
@@ -48,6 +59,7 @@ def test_fit_writes_a_recipe_that_can_be_read(folder: Path) -> None:
         (("measure", "none.png"), "none.png"),
         (("measure", "mask.png", "--preset", "marble"), "marble"),
         (("measure", "mask.png", "--spur", "-1"), "spur"),
+        (("measure", "mask.png", "-o", "found.txt"), ".json, .csv"),
         (("fit", "mask.png", "-o", "mine.png"), ".toml"),
         (("fit", "mask.png", "--level", "2", "-o", "mine.toml"), "--level"),
         (("measure", "mask.png", "--preset", "italian"), "did you mean 'painting-italian'?"),

@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from crazing import _core
+from crazing.arguments import meant
 from crazing.cli.failures import Program
 
 #: A command `name` is `crazing.cli.name.command`.
@@ -38,6 +39,14 @@ class Commands(Program):
             return None
         command: Any = importlib.import_module(f"crazing.cli.{cmd_name}").command
         return command if isinstance(command, click.Command) else None
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The command that is called; what a misspelt one may have meant is asked."""
+        if args[0] not in COMMANDS and not args[0].startswith("-"):
+            ctx.fail(f"No such command {args[0]!r}{meant(args[0], COMMANDS)}.")
+        return super().resolve_command(ctx, args)
 
 
 @click.group(cls=Commands, no_args_is_help=False, context_settings={"help_option_names": ["-h", "--help"]})

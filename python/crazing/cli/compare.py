@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 import crazing
-from crazing.cli.output import opened, output_option, say
+from crazing.cli.output import opened, output_option, say, seed_without_use
 from crazing.cli.progress import steps
 from crazing.cli.source import level_option
 from crazing.extras import require
@@ -58,6 +58,7 @@ def _numbers(ctx: click.Context, parameter: click.Parameter, value: str | None) 
     show_default=True,
     help="Pixels an inch; the figure is 13 inches wide.",
 )
+@seed_without_use
 @partial(output_option, required=False)
 def command(
     *,

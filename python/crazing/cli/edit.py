@@ -3,21 +3,34 @@
 from __future__ import annotations
 
 import webbrowser
+from pathlib import Path
 from typing import Any
 
 import click
 
+from crazing.cli.output import ending_in
 from crazing.cli.source import content_of
-from crazing.edit import exchange
+from crazing.edit import exchange, knobs
 from crazing.edit.session import Session
 from crazing.extras import require
+from crazing.files import atomic_write
 
 
 @click.command("edit")
 @click.argument("file", type=click.Path(exists=True, dir_okay=False), required=False)
 @click.option("--port", type=click.IntRange(0, 65535), default=0, metavar="N", help="Port; by default a free one.")
 @click.option("--no-browser", is_flag=True, help="Only print the address, which works once.")
-def command(*, file: str | None, port: int, no_browser: bool) -> None:
+@click.option(
+    "--seed", type=click.IntRange(0, knobs.LARGEST_SEED), metavar="N", help="Seed that the panels start with."
+)
+@click.option(
+    "-o",
+    "--output",
+    metavar="PATH",
+    callback=ending_in(*(f".{name}" for name in exchange.FORMATS)),
+    help=f"Where the points go when the editor ends, if there are any: {', '.join(f'.{n}' for n in exchange.FORMATS)}.",
+)
+def command(*, file: str | None, port: int, no_browser: bool, seed: int | None, output: str | None) -> None:
     """Opens the editor in the browser, with the points of FILE if one is given.
 
     FILE is CSV, NPY, GeoJSON, or an SVG that the editor saved. The page is served on 127.0.0.1 only; the program ends
@@ -27,13 +40,19 @@ def command(*, file: str | None, port: int, no_browser: bool) -> None:
         require(package, "edit")
     from crazing.edit.server import Server
 
-    session = Session(None if file is None else exchange.load(content_of(file)))
+    session = Session(None if file is None else exchange.load(content_of(file)), seed=seed)
     server = Server(session, port=port)
     click.echo(f"The editor is at {server.address}")
     click.echo("The address works once. Ctrl-C ends.")
     if not no_browser:
         _open(server.address)
-    server.run()
+    try:
+        server.run()
+    finally:
+        if output is not None and len(session.points):
+            with atomic_write(output) as target:
+                target.write(exchange.written(session.points, Path(output).suffix[1:].lower()))
+            click.echo(f"{output}: {len(session.points)} points")
 
 
 def _open(address: str) -> Any:

@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import secrets
-from pathlib import Path
+from dataclasses import asdict
 from typing import Any
 
 import click
 import numpy as np
 
 import crazing
+from crazing.cli.output import ending_in
 from crazing.cli.progress import steps
 from crazing.cli.source import region_of
 
 ENDINGS = (".svg", ".dxf", ".pdf", ".png")
-
-
-def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
-    path = Path(value)
-    if path.suffix.lower() not in ENDINGS:
-        raise click.BadParameter(f"{value!r} does not end in {', '.join(ENDINGS)}.")
-    if path.is_dir() or not path.parent.is_dir():
-        raise click.BadParameter(f"{value!r} is a folder or lies in none.")
-    return value
 
 
 @click.command("maze")
@@ -58,8 +51,13 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
 @click.option("--margin", type=float, default=10.0, show_default=True, help="Kept free on all sides, mm.")
 @click.option("--pen", type=float, default=0.5, show_default=True, help="Width of the lines, mm.")
 @click.option("--thickness", type=float, help="Thickness of the walls in mm, drawn as outlines.")
-@click.option("-o", "--output", required=True, metavar="FILE", callback=_checked, help="An .svg, .dxf, .pdf or .png.")
-def command(*, output: str, solution: bool, distances: bool, seed: int | None, **parameters: Any) -> None:
+@click.option("--json", "as_json", is_flag=True, help="Print the result as one line of JSON.")
+@click.option(
+    "-o", "--output", required=True, metavar="FILE", callback=ending_in(*ENDINGS), help="An .svg, .dxf, .pdf or .png."
+)
+def command(
+    *, output: str, solution: bool, distances: bool, seed: int | None, as_json: bool, **parameters: Any
+) -> None:
     """Draws a maze on a page, in millimetres.
 
     Within a shape, entrance and exit are the two places of its outline that lie farthest apart.
@@ -75,9 +73,10 @@ def command(*, output: str, solution: bool, distances: bool, seed: int | None, *
         maze.save(output, solution=solution, distances=distances, **paper)
     found = maze.statistics
     way = f"solution {found.solution} cells, winding {found.winding:.1f}" if found.solution else "no solution"
-    click.echo(
+    words = (
         f"{output}: {found.cells} cells, {found.dead_ends} dead ends, {found.junctions} junctions, {way}, seed {seed}"
     )
+    click.echo(json.dumps({"output": output, "seed": seed, **asdict(found)}) if as_json else words)
 
 
 def _maze(*, n: int, within: str | None, cells: str, seed: int, page: tuple[float, float], **how: Any) -> crazing.Maze:

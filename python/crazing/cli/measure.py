@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Mapping
 
 import click
 import numpy as np
 from numpy.typing import NDArray
 
 import crazing
+from crazing.cli.output import ending_in, seed_without_use
 from crazing.cli.progress import steps
+from crazing.files import atomic_write
 from crazing.images import read_image
 from crazing.measure import as_mask
 
@@ -49,6 +52,14 @@ def remarks(mask: NDArray[np.bool_], name: str, *, level: float, dark: bool) -> 
     "--preset", metavar="NAME", help="Also say how far the mask is from the targets of a preset, in deviations."
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one line of JSON.")
+@seed_without_use
+@click.option(
+    "-o",
+    "--output",
+    metavar="FILE",
+    callback=ending_in(".json", ".csv"),
+    help="Also write the statistics to a .json, or to a .csv of names and values.",
+)
 def command(
     *,
     mask: str,
@@ -60,6 +71,7 @@ def command(
     reach: float,
     preset: str | None,
     as_json: bool,
+    output: str | None,
 ) -> None:
     """Measures the crack pattern in MASK, a picture bright where there is crack.
 
@@ -78,12 +90,21 @@ def command(
         words = f"{found.components:.0f} pieces and {found.junctions:.0f} junctions: lines may have fallen apart"
         click.echo(f"Note: {mask} has {words}. See --level.", err=True)
     far = {} if targets is None else found.deviations(targets.measured)
+    values = {name: None if math.isnan(value) else value for name, value in found.to_dict().items()}
+    line = json.dumps({"mask": mask, **values, **({} if targets is None else {"deviations": far})})
+    if output is not None:
+        _write(output, line, values)
     if as_json:
-        values = {name: None if math.isnan(value) else value for name, value in found.to_dict().items()}
-        click.echo(json.dumps({"mask": mask, **values, **({} if targets is None else {"deviations": far})}))
+        click.echo(line)
         return
     click.echo(str(found))
     for name, value in far.items():
         click.echo(f"{name} is {value:+.1f} deviations from {preset}")
     if targets is not None and targets.measured:
         click.echo(f"score {found.score(targets.measured):.2f} against {preset}")
+
+
+def _write(output: str, line: str, values: Mapping[str, float | None]) -> None:
+    rows = [f"{name},{'' if value is None else value}" for name, value in values.items()]
+    with atomic_write(output) as file:
+        file.write((f"{line}\n" if output.lower().endswith(".json") else "\n".join([*rows, ""])).encode())

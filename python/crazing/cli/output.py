@@ -35,6 +35,29 @@ def checked(ctx: click.Context, parameter: click.Parameter, value: str | None) -
     return value
 
 
+def ending_in(*endings: str) -> Callable[[click.Context, click.Parameter, str | None], str | None]:
+    """Refuses, before any work is done, a file of another ending or in no folder."""
+
+    def checked(ctx: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
+        if value is None:
+            return None
+        path = Path(value)
+        if path.suffix.lower() not in endings:
+            raise click.BadParameter(f"{value!r} does not end in {', '.join(endings)}.")
+        if path.is_dir() or not path.parent.is_dir():
+            raise click.BadParameter(f"{value!r} is a folder or lies in none.")
+        return value
+
+    return checked
+
+
+def seed_without_use(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Adds `--seed` to a command that draws nothing at random, so that scripts may give it to every command."""
+    words = "Taken by every command; nothing is random in this one."
+    kind = click.IntRange(min=0)
+    return click.option("--seed", type=kind, expose_value=False, metavar="N", help=words)(function)
+
+
 def output_option(function: Callable[..., Any], *, required: bool = True) -> Callable[..., Any]:
     """Adds `-o` to a command that makes a PNG."""
     words = "Where to write the picture, a PNG; - is standard output."

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import crazing
+from crazing.cli.output import ending_in, seed_without_use
 from crazing.cli.progress import steps
 from crazing.cli.source import level_option, samples
 from crazing.pruning import RESIDUAL
@@ -28,15 +29,6 @@ PARTS: dict[str, Callable[[crazing.Skeleton], crazing.PlanarGraph]] = {
 
 #: How far from the samples the outer axis is written, in parts of their extent.
 MARGIN = 0.1
-
-
-def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
-    path = Path(value)
-    if path.suffix.lower() not in (*VECTORS, ".png"):
-        raise click.BadParameter(f"{value!r} does not end in {', '.join(VECTORS)} or .png.")
-    if path.is_dir() or not path.parent.is_dir():
-        raise click.BadParameter(f"{value!r} is a folder or lies in none.")
-    return value
 
 
 @click.command("skeleton")
@@ -64,8 +56,14 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
     "--size", type=click.IntRange(1, 16384), default=1024, show_default=True, metavar="PX", help="Side of a .png."
 )
 @click.option("--json", "as_json", is_flag=True, help="Print the result as one line of JSON.")
+@seed_without_use
 @click.option(
-    "-o", "--output", required=True, metavar="FILE", callback=_checked, help="An .svg, .dxf, .geojson or .png."
+    "-o",
+    "--output",
+    required=True,
+    metavar="FILE",
+    callback=ending_in(*VECTORS, ".png"),
+    help="An .svg, .dxf, .geojson or .png.",
 )
 def command(*, source: str, part: str, output: str, size: int, as_json: bool, **given: Any) -> None:
     """Finds the skeleton of SOURCE: a picture, an SVG drawing, a polygon, or points.

@@ -46,6 +46,8 @@ class Session:
     ----------
     points : (n, 2) array_like, optional
         What the page starts with.
+    seed : int, optional
+        The seed that every panel starts with.
 
     Examples
     --------
@@ -57,10 +59,12 @@ class Session:
     "kind is 'nonsense'; one of 'hello', ... is wanted"
     """
 
-    def __init__(self, points: Any = None) -> None:
+    def __init__(self, points: Any = None, *, seed: int | None = None) -> None:
         self.points = exchange.checked(np.empty((0, 2)) if points is None else points)
         self.mode = MODES[0]
         self.values = knobs.defaults()
+        if seed is not None:
+            self.values = knobs.read({panel: {"seed": seed} for panel, held in self.values.items() if "seed" in held})
         self._picture: picture.Picture | None = None
         self._slow: set[str] = set()
         self._preview: previews.Preview | None = None
