@@ -104,6 +104,31 @@ def read_only() -> np.ndarray:
     return array
 
 
+def shapely(form: str) -> Any:
+    geometry = pytest.importorskip("shapely")
+    points = [geometry.Point(row) for row in SQUARE]
+    forms = {
+        "points": points,
+        "array of points": geometry.points(SQUARE),
+        "multipoint": geometry.MultiPoint(SQUARE),
+        "geojson": geometry.MultiPoint(SQUARE).__geo_interface__,
+        "features": {"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": p} for p in points]},
+        "list of geojson": [point.__geo_interface__ for point in points],
+    }
+    return forms[form]
+
+
+@pytest.mark.parametrize("form", ["points", "array of points", "multipoint", "geojson", "features", "list of geojson"])
+def test_geometries_are_points(form: str) -> None:
+    assert cz.diagram(shapely(form)) == cz.diagram(SQUARE)
+
+
+@pytest.mark.parametrize("odd", [None, 5, "x"])
+def test_an_odd_one_among_geometries_is_named(odd: Any) -> None:
+    with pytest.raises(ValueError, match=f"points holds {odd!r} where positions are wanted"):
+        cz.diagram([*shapely("points"), odd])
+
+
 FORMS: dict[str, Any] = {
     "list of tuples": [tuple(row) for row in SQUARE],
     "float32": np.array(SQUARE, dtype=np.float32),

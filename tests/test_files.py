@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 import signal
@@ -151,6 +152,15 @@ def test_an_error_in_the_block_leaves_the_old_file(tmp_path):
         raise ZeroDivisionError
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_full_disk_is_told_of_with_the_name(tmp_path):
+    with (
+        pytest.raises(OSError, match=r"No space left on device: '.*picture.png'"),
+        atomic_write(tmp_path / "picture.png"),
+    ):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    assert not [*tmp_path.iterdir()]
 
 
 def test_permissions_and_links_stay(tmp_path):

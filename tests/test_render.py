@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import signal
 import subprocess
 import sys
@@ -202,3 +203,22 @@ def test_ctrl_c_stops_a_long_render():
         out, err = child.communicate(timeout=60)
     assert "KeyboardInterrupt" in err
     assert "end" not in out
+
+
+def test_notebooks_show_pictures() -> None:
+    def shown(content: bytes) -> np.ndarray:
+        return np.array(Image.open(io.BytesIO(content)))
+
+    crack = cz.crack(n=30, rng=1)
+    assert np.array_equal(shown(crack._repr_png_()), cz.render(crack, 512))
+    maps = cz.texture(crack, (40, 1500), maps="all")
+    assert np.array_equal(shown(maps._repr_png_()), maps.lit()[::3, ::3])
+    plain = cz.texture(crack, 32, maps="color")
+    assert np.array_equal(shown(plain._repr_png_()), plain["color"])
+    assert cz.texture(crack, 32, maps="height")._repr_png_() is None
+    broken = cz.Crack(cz.PlanarGraph([(0, 0), (np.nan, 1)], [(0, 1)]), 0.1, 0, 0, (0, 0, 1, 1))
+    assert broken._repr_png_() is None
+    maze = cz.maze(cz.sample.uniform(30, rng=1), rng=1)
+    assert maze._repr_svg_() == maze.walls.to_svg()
+    assert maze.diagram._repr_svg_() == maze.diagram.delaunay.to_svg()
+    assert cz.diagram([[0, 0], [0.1, 0.2], [0.3, 0]], period=(1, 1))._repr_svg_() is None

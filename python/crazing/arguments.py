@@ -15,6 +15,8 @@ from crazing.errors import CrazingError
 
 # Rows are numbered with 32-bit integers.
 _INDEX_LIMIT = 2**31 - 1
+# What of GeoJSON leads to positions.
+_GEOJSON = ("features", "geometry", "geometries", "coordinates")
 
 
 _Kind = TypeVar("_Kind")
@@ -42,11 +44,11 @@ def _real(value: Any, prefix: str) -> float:
 def points_array(points: ArrayLike, name: str = "points") -> NDArray[np.float64]:
     """`points` as a C-contiguous (n, 2) float64 array in native byte order; an empty list gives (0, 2).
 
-    Of what has a `__geo_interface__`, all positions without their heights, in their order.
+    Of what has a `__geo_interface__`, of a list or an array of such, and of GeoJSON, all positions without their
+    heights, in their order.
     """
-    shape = getattr(points, "__geo_interface__", None)
-    if isinstance(shape, Mapping):
-        points = list(positions(shape, name))
+    if _is_shape(points) or _is_shape(_first(points)):
+        points = list(positions(points, name))
     array = real_array(points, name)
     if array.size == 0 and array.ndim <= 2:
         return np.empty((0, 2))
@@ -55,17 +57,33 @@ def points_array(points: ArrayLike, name: str = "points") -> NDArray[np.float64]
     return array
 
 
+def _is_shape(value: Any) -> bool:
+    """Whether this is GeoJSON, or has one."""
+    if isinstance(value, Mapping):
+        return any(word in value for word in _GEOJSON)
+    return isinstance(getattr(value, "__geo_interface__", None), Mapping)
+
+
+def _first(value: Any) -> Any:
+    """The first of objects that may come one after the other; None if there is none."""
+    is_row = isinstance(value, (list, tuple)) or (
+        isinstance(value, np.ndarray) and value.dtype == object and value.ndim
+    )
+    return value[0] if is_row and len(value) else None
+
+
 def positions(root: Any, name: str) -> Iterator[tuple[float, float]]:
     """Every position of a GeoJSON object, in its order, without recursion: nesting is the file's choice."""
     left = [root]
     while left:
         node = left.pop()
+        node = getattr(node, "__geo_interface__", node)
         if isinstance(node, Mapping):
-            inner = [node.get(word) for word in ("features", "geometry", "geometries", "coordinates")]
+            inner = [node.get(word) for word in _GEOJSON]
             left.extend(reversed([part for part in inner if part is not None]))
         elif isinstance(node, (list, tuple)) and len(node) >= 2 and all(map(_is_number, node)):
             yield number(node[0], "a coordinate"), number(node[1], "a coordinate")
-        elif isinstance(node, (list, tuple)):
+        elif isinstance(node, (list, tuple, np.ndarray)):
             left.extend(reversed(node))
         else:
             raise ValueError(f"{name} holds {found(node)} where positions are wanted")

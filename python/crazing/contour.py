@@ -153,6 +153,8 @@ def _nothing_found(image: NDArray[Any], grey: NDArray[np.float64], levels: NDArr
     text = f"no contour at level {wanted}: the values of the image run from {grey.min():g} to {grey.max():g}"
     if image.dtype.kind in "iu":
         text += f" ({image.dtype} divided by {np.iinfo(image.dtype).max})"
+        if image.max() == 1:
+            text += "; a mask of 0 and 1 is wanted as bool: image > 0"
     return text
 
 

@@ -8,10 +8,13 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from crazing import _core, arguments
+from crazing import _core, arguments, files
 from crazing.arguments import number
 from crazing.graph import PlanarGraph
 from crazing.record import Record
+
+#: Pixels a side of what a notebook shows.
+_SHOWN = 512
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -223,6 +226,15 @@ class Crack(Record):
         from crazing import vectors
 
         vectors.save(self, path)
+
+    def _repr_png_(self) -> bytes | None:
+        from crazing.render import render
+
+        try:
+            return files.encoded(render(self, _SHOWN))
+        except ValueError:
+            # Not finite: the notebook then prints the counts.
+            return None
 
     def __repr__(self) -> str:
         strands = int(self.strand.max(initial=-1)) + 1

@@ -138,6 +138,9 @@ class Diagram(Record):
         vertices, edges, _ = _core.dual_edges(self.arrays, bounds_of(self, bounds), everything)
         return PlanarGraph(vertices, edges)
 
+    def _repr_svg_(self) -> str | None:
+        return None if self.period is not None else self.delaunay._repr_svg_()
+
     def __repr__(self) -> str:
         period = "" if self.period is None else f", period {self.period}"
         return f"Diagram({len(self.sites)} sites, {len(self.edges)} edges, {len(self.triangles)} triangles{period})"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import os
 import secrets
 import shutil
@@ -65,9 +66,12 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
             file.flush()
             os.fsync(file.fileno())
         os.replace(name, target)
-    except BaseException:
+    except BaseException as error:
         with contextlib.suppress(OSError):
             os.unlink(name)
+        if isinstance(error, OSError) and error.errno and error.filename is None:
+            # A full disk is told of by the write, which knows no name.
+            error.filename = str(path)
         raise
     _flush_folder(target.parent)
 
@@ -164,6 +168,13 @@ def save_png(
         _core.encode_png(path, sample_bytes(pixels), *about)
     else:
         raise TypeError(f"path is {type(path).__name__}; a path or an open binary file is wanted")
+
+
+def encoded(image: NDArray[Any]) -> bytes:
+    """The bytes of a PNG, as a notebook shows it."""
+    file = io.BytesIO()
+    save_png(file, image)
+    return file.getvalue()
 
 
 def _pixels(image: ArrayLike) -> NDArray[Any]:

@@ -14,7 +14,7 @@ from crazing import rng as _rng
 from crazing.arguments import bounds_tuple, choice, count, number, points_array
 from crazing.diagram import Diagram, as_tiling, bounds_of, unconstrained
 from crazing.errors import CrazingError
-from crazing.graph import PlanarGraph
+from crazing.graph import PREVIEW_EDGES, PlanarGraph
 from crazing.maze_drawing import Drawing
 from crazing.maze_statistics import MazeStatistics, statistics
 from crazing.record import Record
@@ -232,6 +232,9 @@ class Maze(Drawing, Record):
         MazeStatistics(cells=4, dead_ends=2, junctions=0, solution=4, winding=1.0)
         """
         return statistics(self)
+
+    def _repr_svg_(self) -> str | None:
+        return self.walls._repr_svg_() if len(self.open) <= PREVIEW_EDGES else None
 
     def __repr__(self) -> str:
         return f"Maze({self.size} {self.cells} cells, {int(self.open.sum())} open doors, start {self.start})"

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from crazing import _core, arguments, provenance
+from crazing import _core, arguments, files, provenance
 from crazing import rng as _rng
 from crazing.material import Material, preset_material
 from crazing.pictures import output
@@ -39,6 +39,9 @@ MAPS: dict[str, tuple[type[np.generic], int]] = {
 
 #: Most pixels a side of a picture that a plan may have; a window of it has at most `MAX_PIXELS`.
 MAX_SIDE = 1 << 20
+
+#: Most pixels a side of what a notebook shows.
+_SHOWN = 512
 
 Bounds = tuple[float, float, float, float]
 
@@ -243,6 +246,13 @@ class Texture(Mapping[str, NDArray[Any]]):
             sRGB.
         """
         return shade(self, **how)
+
+    def _repr_png_(self) -> bytes | None:
+        if "color" not in self.maps:
+            return None
+        shown = self.lit() if {"normal", "ao", "roughness"} <= {*self.maps} else self["color"]
+        step = -(-max(self.size) // _SHOWN)
+        return files.encoded(np.ascontiguousarray(shown[::step, ::step]))
 
     def __repr__(self) -> str:
         return f"Texture({self.size[0]} x {self.size[1]}: {', '.join(self.maps)})"
