@@ -104,29 +104,15 @@ def read_only() -> np.ndarray:
     return array
 
 
-def shapely(form: str) -> Any:
-    geometry = pytest.importorskip("shapely")
-    points = [geometry.Point(row) for row in SQUARE]
-    forms = {
-        "points": points,
-        "array of points": geometry.points(SQUARE),
-        "multipoint": geometry.MultiPoint(SQUARE),
-        "geojson": geometry.MultiPoint(SQUARE).__geo_interface__,
-        "features": {"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": p} for p in points]},
-        "list of geojson": [point.__geo_interface__ for point in points],
+@pytest.mark.parametrize("call", [*CALLS, "relax", "diagram with constraints"], ids=lambda name: name.replace(" ", "-"))
+def test_a_diagram_is_as_good_as_its_points(call: str) -> None:
+    calls = CALLS | {
+        "relax": lambda points: cz.sample.relax(points, iterations=2, bounds=(0, 0, 4, 4)),
+        "diagram with constraints": lambda points: cz.diagram(points, constraints=[(0, 2)]),
     }
-    return forms[form]
-
-
-@pytest.mark.parametrize("form", ["points", "array of points", "multipoint", "geojson", "features", "list of geojson"])
-def test_geometries_are_points(form: str) -> None:
-    assert cz.diagram(shapely(form)) == cz.diagram(SQUARE)
-
-
-@pytest.mark.parametrize("odd", [None, 5, "x"])
-def test_an_odd_one_among_geometries_is_named(odd: Any) -> None:
-    with pytest.raises(ValueError, match=f"points holds {odd!r} where positions are wanted"):
-        cz.diagram([*shapely("points"), odd])
+    period = (7.0, 5.0) if "periodic" in call else None
+    one, other = (calls[call](points) for points in (SQUARE, cz.diagram(SQUARE, period=period)))
+    assert np.array_equal(one, other) if isinstance(one, np.ndarray) else one == other
 
 
 FORMS: dict[str, Any] = {

@@ -41,12 +41,14 @@ def _real(value: Any, prefix: str) -> float:
         raise ValueError(f"{prefix} an integer too large for a float") from None
 
 
-def points_array(points: ArrayLike, name: str = "points") -> NDArray[np.float64]:
+def points_array(points: Any, name: str = "points") -> NDArray[np.float64]:
     """`points` as a C-contiguous (n, 2) float64 array in native byte order; an empty list gives (0, 2).
 
     Of what has a `__geo_interface__`, of a list or an array of such, and of GeoJSON, all positions without their
-    heights, in their order.
+    heights, in their order; of a diagram, its sites.
     """
+    sites = getattr(points, "sites", None)
+    points = sites if isinstance(sites, np.ndarray) else points
     if _is_shape(points) or _is_shape(_first(points)):
         points = list(positions(points, name))
     array = real_array(points, name)
@@ -340,5 +342,6 @@ def cell_row(values: ArrayLike, name: str, cells: int) -> NDArray[np.int32]:
     if array is None or (array.size and array.dtype.kind not in "iu"):
         raise TypeError(f"{name} is {found(values)}; a row of cells is wanted")
     if array.size and not (array.min() >= 0 and array.max() < cells):
-        raise ValueError(f"{name} goes by cell {array.min()} or {array.max()}; 0 to {cells - 1} are wanted")
+        wrong = array.min() if array.min() < 0 else array.max()
+        raise ValueError(f"{name} goes by cell {wrong}; 0 to {cells - 1} are wanted")
     return np.ascontiguousarray(array, dtype=np.int32)

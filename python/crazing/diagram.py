@@ -151,13 +151,14 @@ Arrays: TypeAlias = tuple[
 ]
 
 
-def diagram(points: ArrayLike, *, constraints: Any = None, period: ArrayLike | None = None) -> Diagram:
+def diagram(points: ArrayLike | Diagram, *, constraints: Any = None, period: ArrayLike | None = None) -> Diagram:
     """Delaunay triangulation and Voronoi diagram of points, in the plane or on a torus.
 
     Parameters
     ----------
-    points : (rows, 2) array_like
+    points : (rows, 2) array_like or Diagram
         Finite coordinates. Duplicates are merged. A coordinate smaller than 2**-126 of the largest one counts as zero.
+        A diagram is given back; with constraints, they are put between its sites.
     constraints : (k, 2) array_like of int, or list of array_like of int, optional
         Edges that must be there, as two rows of `points` each; or chains of rows, closed where the first is repeated
         at the end. They may touch, not cross or overlap. One that passes through a site is several edges.
@@ -208,6 +209,8 @@ def diagram(points: ArrayLike, *, constraints: Any = None, period: ArrayLike | N
     >>> kite.edges[kite.constrained]
     array([[0, 2]], dtype=int32)
     """
+    if constraints is None and isinstance(points, Diagram):
+        return as_tiling(points, period)
     if constraints is not None:
         if period is not None:
             raise ValueError("constraints and period are both given; a torus has no constraints")

@@ -121,5 +121,6 @@ def quarters(q: ArrayLike, links: NDArray[np.int32]) -> NDArray[np.int32]:
     if array.dtype.kind not in "iu" and array.size:
         raise TypeError(f"quarter-edges have dtype {array.dtype}; integers are wanted")
     if array.size and not (array.min() >= 0 and array.max() < len(links)):
-        raise ValueError(f"a quarter-edge is {array.min()} or {array.max()}; 0 to {len(links) - 1} are wanted")
+        wrong = array.min() if array.min() < 0 else array.max()
+        raise ValueError(f"a quarter-edge is {wrong}; 0 to {len(links) - 1} are wanted")
     return np.asarray(array, dtype=np.int32)

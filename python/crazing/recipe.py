@@ -285,6 +285,8 @@ class Recipe:
             If a coordinate is NaN or infinite.
         """
         seed = _rng.generator(rng)
+        if period is None and isinstance(points, Diagram):
+            period = points.period
         torus = None if period is None else areal(period_pair(period), "period")
         if torus is not None and bounds is not None:
             raise ValueError("bounds and period are both given; a periodic picture is one period")

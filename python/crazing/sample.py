@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +14,9 @@ from crazing.contour import contours
 from crazing.images import brightness
 from crazing.region import as_region
 from crazing.rng import RNG, key
+
+if TYPE_CHECKING:
+    from crazing.diagram import Diagram
 
 __all__ = [
     "from_density",
@@ -26,6 +29,12 @@ __all__ = [
     "relax",
     "uniform",
 ]
+
+
+def __dir__() -> list[str]:
+    """What is public, for completion."""
+    return __all__
+
 
 Points: TypeAlias = NDArray[np.float64]
 
@@ -262,14 +271,14 @@ def from_density(
 
 
 def relax(
-    points: ArrayLike, *, iterations: int, bounds: Sequence[float], period: Sequence[float] | None = None
+    points: ArrayLike | Diagram, *, iterations: int, bounds: Sequence[float], period: Sequence[float] | None = None
 ) -> Points:
     """Even points out by Lloyd's relaxation: each goes to the centroid of its Voronoi cell, again and again.
 
     Parameters
     ----------
-    points : (n, 2) array_like
-        Finite coordinates.
+    points : (n, 2) array_like or Diagram
+        Finite coordinates, or the sites of a diagram.
     iterations : int
         Rounds; one or two take clumps away, many make a honeycomb.
     bounds : (xmin, ymin, xmax, ymax)

@@ -31,6 +31,11 @@ __all__ = [
 ]
 
 
+def __dir__() -> list[str]:
+    """What is public, for completion."""
+    return __all__
+
+
 def walls(maze: Maze) -> Drawing:
     """The walls of a maze of Voronoi cells.
 
