@@ -35,9 +35,9 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
     ----------
     polygon : shapely geometry, mapping, (shell, holes), rings or (n, 2) array_like
         A polygon or several: anything with a ``__geo_interface__`` (of shapely, of GeoPandas) or a GeoJSON mapping of
-        type Polygon, MultiPolygon, Feature or a collection of them, or a list of such; a shell, an (n, 2) array_like,
-        and a list of such holes; a shell alone; or a list of rings, of which those in an odd number of others are
-        holes. Rings may repeat their first point, run either way and touch in points; heights are left out.
+        type Polygon, MultiPolygon, Feature or a collection of them, or a file of it; a list of such; a shell, an (n, 2)
+        array_like, and a list of such holes; a shell alone; or a list of rings, of which those in an odd number of
+        others are holes. Rings may repeat their first point, run either way and touch in points; heights are left out.
     spacing : float, optional
         Largest distance between two points of the boundary, in data units; the corners are always among them. By
         default a quarter of the mean width (twice the area over the perimeter), but from 400 to 250,000 points; of

@@ -11,6 +11,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from crazing.arguments import regular
 from crazing.errors import CrazingError
 from crazing.extras import require
 
@@ -162,10 +163,9 @@ def brightness(image: ArrayLike, name: str = "image") -> NDArray[np.float64]:
     >>> brightness(np.array([[0, 51, 255]], dtype=np.uint8))
     array([[0. , 0.2, 1. ]])
     """
-    try:
-        array = np.asarray(image)
-    except ValueError:
-        raise ValueError(f"{name} is ragged; rows of one length are wanted") from None
+    if isinstance(image, (str, os.PathLike)):
+        raise TypeError(f"{name} is {os.fspath(image)!r}; pixels are wanted: crazing.images.read_image reads a file")
+    array = regular(image, name)
     if array.dtype.kind not in "biuf":
         raise TypeError(f"{name} has dtype {array.dtype}; bool, integers or floats are wanted")
     if array.ndim != 2 and not (array.ndim == 3 and array.shape[2] in (3, 4)):

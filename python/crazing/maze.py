@@ -275,9 +275,10 @@ def maze(
         Carve on a torus: ways leave on one side and come in on the opposite one, see :func:`crazing.diagram`.
     within : optional
         Carve in a shape: its ring as a (k, 2) array, a list of rings (a point in an odd number of them is inside, so
-        that a ring in a ring is a hole), a polygon of shapely or another object with `__geo_interface__`, GeoJSON, or
-        a picture (a mask of bools, or an image whose border is outside; in pixels, y up). Voronoi walls are clipped to
-        it, and what has a length inside is a door; each part of a cell that the outline cuts is a cell of its own.
+        that a ring in a ring is a hole), a polygon of shapely or another object with `__geo_interface__`, GeoJSON or
+        the name of such a file, or a picture (a mask of bools or of 0 and 1, or an image whose border is outside; in
+        pixels, y up). Voronoi walls are clipped to it, and what has a length inside is a door; each part of a cell
+        that the outline cuts is a cell of its own.
         Where a corner of the shape lies exactly on a wall, walls count as moved right by next to nothing, and up by
         nothing beside that: one that the corner touches from the right is met there, and two doors; from the left it
         is free, and one.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from pathlib import Path
 from typing import Any
@@ -44,18 +43,6 @@ def rings(lines: list[NDArray[np.float64]], closed: list[bool] | None = None) ->
     if not kept:
         raise ValueError("the outline is empty; a line of two distinct points or more is wanted")
     return Contours(np.concatenate(kept), np.cumsum([0, *map(len, kept)]), np.array(shut))
-
-
-def geojson(path: str | os.PathLike[str]) -> Any:
-    """What a GeoJSON file holds; of a collection with one feature, that."""
-    text = Path(path).read_text(encoding="utf-8-sig")
-    try:
-        found = json.loads(text)
-    except ValueError as error:
-        raise ValueError(f"{os.fspath(path)!r} is no GeoJSON: {error}") from None
-    if isinstance(found, dict) and found.get("type") == "FeatureCollection" and len(found.get("features", ())) == 1:
-        return found["features"][0]
-    return found
 
 
 def svg_lines(source: str | os.PathLike[str]) -> Contours:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
+import os
 from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,6 +19,9 @@ Ring = NDArray[np.float64]
 #: Where the members of a collection stand, in GeoJSON.
 _COLLECTIONS = {"FeatureCollection": "features", "GeometryCollection": "geometries"}
 
+#: What a string that names a file ends in.
+_ENDINGS = (".geojson", ".json")
+
 WANTED = "Polygon, MultiPolygon, or a Feature or collection of them"
 
 
@@ -24,7 +30,7 @@ def polygons(shape: Any, name: str) -> list[list[Ring]]:
 
     An object with `__geo_interface__` (of shapely, of GeoPandas) or a GeoJSON mapping, or a list of such; a ring; a
     shell and a list of its holes; or a list of rings, which become a polygon each: what is inside follows from the
-    number of rings around it. Heights and features without a geometry are left out.
+    number of rings around it; or the name of a GeoJSON file. Heights and features without a geometry are left out.
 
     Examples
     --------
@@ -34,6 +40,8 @@ def polygons(shape: Any, name: str) -> list[list[Ring]]:
     >>> len(polygons([(0, 0), (4, 0), (4, 4)], "shape")[0][0])
     3
     """
+    if isinstance(shape, os.PathLike) or (isinstance(shape, str) and shape.lower().endswith(_ENDINGS)):
+        shape = geojson(shape)
     if _is_geometry(shape):
         return list(_of_geometry(shape, name))
     is_row = isinstance(shape, Sequence) and not isinstance(shape, (str, bytes))
@@ -50,6 +58,18 @@ def polygons(shape: Any, name: str) -> list[list[Ring]]:
     if _depth(shape[0]) == 2:
         return [[points_array(ring, f"{name}[{row}]")] for row, ring in enumerate(shape)]
     return [[points_array(shape, name)]]
+
+
+def geojson(path: str | os.PathLike[str]) -> Any:
+    """What a GeoJSON file holds; of a collection with one feature, that."""
+    text = Path(path).read_text(encoding="utf-8-sig")
+    try:
+        found = json.loads(text)
+    except ValueError as error:
+        raise ValueError(f"{os.fspath(path)!r} is no GeoJSON: {error}") from None
+    if isinstance(found, dict) and found.get("type") == "FeatureCollection" and len(found.get("features", ())) == 1:
+        return found["features"][0]
+    return found
 
 
 def _is_geometry(value: Any) -> bool:

@@ -151,8 +151,8 @@ class Region(Record):
 def as_region(shape: Any, name: str = "within") -> Region:
     """The region that `shape` describes.
 
-    What :func:`crazing.polygons.polygons` reads; any other array is a picture: True is inside a mask of bools, in
-    others what differs from its border.
+    What :func:`crazing.polygons.polygons` reads; any other array is a picture: True is inside a mask of bools,
+    and 1 if there are but 0 and 1, in others what differs from its border.
 
     Examples
     --------
@@ -188,6 +188,8 @@ def _joined(rings: list[Any], name: str) -> Region:
 
 def _traced(picture: NDArray[Any], name: str) -> Region:
     """The rings between the inside of a picture and its border, in pixels, y up."""
+    if picture.ndim == 2 and picture.size and picture.dtype.kind in "iu" and picture.min() >= 0 and picture.max() <= 1:
+        picture = picture.astype(bool)
     grey = brightness(picture, name)
     if picture.dtype.kind != "b":
         rim = np.concatenate([grey[0], grey[-1], grey[:, 0], grey[:, -1]])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -419,8 +420,8 @@ def from_polygon(polygon: Any, *, n: int | None = None, spacing: float | None = 
            [1., 1.],
            [0., 1.]])
     """
-    if isinstance(polygon, (str, os.PathLike)):
-        polygon = outline.geojson(polygon)
+    if isinstance(polygon, str):
+        polygon = Path(polygon)
     region = as_region(polygon, "polygon")
     lines = outline.rings([*np.split(region.coords, region.offsets[1:-1])])
     return outline.spread(lines, n, spacing)

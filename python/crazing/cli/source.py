@@ -12,6 +12,7 @@ import crazing
 from crazing import outline
 from crazing.edit import exchange
 from crazing.images import read_image
+from crazing.polygons import geojson
 from crazing.region import Region, as_region
 
 #: Most bytes of a file that is read.
@@ -73,5 +74,5 @@ def region_of(source: str) -> Region:
         lines = outline.svg_lines(Path(source))
         return as_region([line for line, closed in zip(lines.lines, lines.closed, strict=True) if closed], source)
     if exchange.is_polygon(content):
-        return as_region(outline.geojson(source), source)
+        return as_region(geojson(source), source)
     return as_region(read_image(source), source)
