@@ -20,6 +20,7 @@ LONG_CALLS = {
     "diagram": "cz.diagram(points)",
     "crust": "cz.crust(points)",
     "medial_axis": "cz.medial_axis(points)",
+    "curve": "cz.curve(points[:200_000])",
     "maze": "cz.maze(points, rng=1)",
     "crack": "cz.crack(points, rng=1)",
     "render": "while True: cz.render(crack, 16384)",

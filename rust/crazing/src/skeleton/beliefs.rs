@@ -14,6 +14,8 @@ use crate::watch::Watch;
 const THOUGHT_OF: usize = 12;
 /// Most rounds. What has not settled by then swings on.
 const ROUNDS: usize = 100;
+/// Sites that speak between two questions whether to go on.
+const AT_A_TIME: usize = 1 << 15;
 /// Changes below this are none.
 const SETTLED: f64 = 1e-3;
 /// Part of what was said before that is kept: two ends that contradict each other would swing without end.
@@ -46,13 +48,20 @@ pub(super) fn beliefs(
     watch: Watch<'_>,
 ) -> Result<Vec<f64>> {
     let sites: Vec<usize> = (0..active.len()).filter(|&v| active[v]).collect();
-    let listeners = parallel::map(sites.len(), |i| Listener::of(net, price, sites[i], &pair));
+    let mut listeners = Vec::with_capacity(sites.len());
+    for part in sites.chunks(AT_A_TIME) {
+        watch.poll()?;
+        listeners.extend(parallel::map(part.len(), |i| Listener::of(net, price, part[i], &pair)));
+    }
     let silent = |k: usize, end: i32| if chosen[k] && !active[end as usize] { -SURE } else { SURE };
     let mut said: Said = net.edges.iter().enumerate().map(|(k, ends)| ends.map(|end| silent(k, end))).collect();
     listeners.iter().flat_map(|listener| &listener.ends).for_each(|&(k, end)| said[k as usize][end] = 0.0);
     for _ in 0..ROUNDS {
-        watch.poll()?;
-        let answers = parallel::map(listeners.len(), |i| listeners[i].answers(price, &said));
+        let mut answers = Vec::with_capacity(listeners.len());
+        for part in listeners.chunks(AT_A_TIME) {
+            watch.poll()?;
+            answers.extend(parallel::map(part.len(), |i| part[i].answers(price, &said)));
+        }
         if settled(&listeners, &answers, &mut said) {
             break;
         }

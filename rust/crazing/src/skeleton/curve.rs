@@ -14,7 +14,7 @@ use super::cost::{self, End, Turning};
 use super::{one_step, spacing};
 use crate::diagram::DiagramView;
 use crate::diagram::scale::{Scale, largest};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::incidence::Incidence;
 use crate::watch::Watch;
@@ -78,7 +78,10 @@ struct Draft {
 }
 
 /// Edges exchanged in turn, from one site on, and the sites they pass.
-struct Trail {
+struct Trail<'a> {
+    watch: Watch<'a>,
+    /// Whether to go on; where not, nothing is put back.
+    go_on: bool,
     edges: Vec<u32>,
     sites: Vec<usize>,
     /// Cost of the small ring it begins on, which it may open.
@@ -124,7 +127,10 @@ impl Draft {
             }
             for v in amiss {
                 watch.poll()?;
-                self.improve(v);
+                self.fresh[v] = false;
+                while self.left[v] > 0 && (self.exchange(v, true, watch)? || self.exchange(v, false, watch)?) {
+                    self.left[v] -= 1;
+                }
             }
         }
     }
@@ -176,31 +182,23 @@ impl Draft {
         Ok(())
     }
 
-    /// Makes exchanges that begin at a site until none helps.
-    fn improve(&mut self, v: usize) {
-        self.fresh[v] = false;
-        while self.left[v] > 0 && (self.exchange(v, true) || self.exchange(v, false)) {
-            self.left[v] -= 1;
-        }
-    }
-
-    fn exchange(&mut self, v: usize, add: bool) -> bool {
+    /// Makes an exchange that begins at a site, if one helps.
+    fn exchange(&mut self, v: usize, add: bool, watch: Watch<'_>) -> Result<bool> {
         let credit = self.rings(&[v]);
-        let mut trail = Trail { edges: Vec::with_capacity(TRAIL), sites: vec![v], credit };
+        let mut trail = Trail { watch, go_on: true, edges: Vec::with_capacity(TRAIL), sites: vec![v], credit };
         let found = self.walk(v, add, -self.before[v], 0.0, &mut trail);
+        if !trail.go_on {
+            return Err(Error::Interrupted);
+        }
         if found {
             for &v in &trail.sites {
                 self.before[v] = self.cost_at(v);
             }
-            self.freshen(&trail);
+            // All sites from which a trail could pass those of this one.
+            self.around(trail.sites).into_iter().for_each(|v| self.fresh[v] = true);
             self.fresh[v] = false;
         }
-        found
-    }
-
-    /// Marks all sites from which a trail could pass those of this one.
-    fn freshen(&mut self, trail: &Trail) {
-        self.around(trail.sites.clone()).into_iter().for_each(|v| self.fresh[v] = true);
+        Ok(found)
     }
 
     /// All sites within reach of some.
@@ -217,9 +215,14 @@ impl Draft {
     /// Goes on from the last site of the trail with an edge to add or to drop; true, with the edges exchanged, as soon
     /// as that makes the curve cheaper, false with everything as it was. `spent` is the price of the edges so far, less
     /// what the sites passed have cost.
-    fn walk(&mut self, v: usize, add: bool, spent: f64, passed: f64, trail: &mut Trail) -> bool {
+    fn walk(&mut self, v: usize, add: bool, spent: f64, passed: f64, trail: &mut Trail<'_>) -> bool {
         if trail.edges.len() >= TRAIL {
             return false;
+        }
+        // Where samples are no curve, a site may begin seconds of trails.
+        if trail.edges.len() == TRAIL / 4 && trail.watch.poll().is_err() {
+            trail.go_on = false;
+            return true;
         }
         for i in 0..self.net.about.at(v).len() {
             let k = self.net.about.at(v)[i];
@@ -258,7 +261,7 @@ impl Draft {
     }
 
     /// Whether the exchange leaves no site with three edges and costs less than it saves.
-    fn helps(&mut self, spent: f64, trail: &Trail) -> bool {
+    fn helps(&mut self, spent: f64, trail: &Trail<'_>) -> bool {
         if spent >= trail.credit - GAIN || trail.sites.iter().any(|&v| self.degrees[v] > 2) {
             return false;
         }
@@ -280,7 +283,7 @@ impl Draft {
     }
 
     /// Exchanges the edges of a trail, or takes that back.
-    fn turn(&mut self, trail: &Trail) {
+    fn turn(&mut self, trail: &Trail<'_>) {
         for &k in &trail.edges {
             self.switch(k);
         }
