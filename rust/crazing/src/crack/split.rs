@@ -1,11 +1,10 @@
 //! Hierarchical cracks: the largest cell is split, and again, every new crack meeting the older ones at right angles.
 
 mod chord;
+mod drawn;
 mod founders;
 mod mesh;
-
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
+mod queue;
 
 use super::aged::Aged;
 use crate::clip::{Bounds, check_bounds};
@@ -15,8 +14,10 @@ use crate::quantile;
 use crate::rng::{Key, Rng, stream};
 use crate::sample::Density;
 use crate::watch::Watch;
+use chord::Outline;
 use founders::Founders;
 use mesh::Mesh;
+use queue::Queue;
 
 /// On a torus the first cells meet themselves: where a wall would join a side to itself another is tried, so often.
 const AGAIN: usize = 32;
@@ -67,21 +68,22 @@ pub fn split(
     } else {
         Mesh::of_box(bounds)
     };
-    let mut queue = BinaryHeap::new();
-    let enqueue = |mesh: &Mesh, cell: usize, rng: &mut Rng, queue: &mut BinaryHeap<Next>| {
-        let (area, middle) = mesh.measure(cell);
+    let mut queue = Queue::new();
+    let enqueue = |mesh: &Mesh, cell: usize, rng: &mut Rng, queue: &mut Queue| {
+        let (area, middle) = measure(mesh.ring(cell));
         let weight = density.map_or(1.0, |density| density.at(middle));
         let chance = libm::exp(how.jitter * normal(rng));
-        queue.push(Next { size: area * weight * chance, cell });
+        queue.push(area * weight * chance, cell);
     };
     for cell in 0..mesh.cells.len() {
         enqueue(&mesh, cell, &mut rng, &mut queue);
     }
+    let attempts = if on_torus { AGAIN } else { 1 };
+    let mut outline = Outline::default();
     while mesh.cells.len() < how.cells {
         watch.poll_at(mesh.cells.len())?;
-        let Some(Next { cell, .. }) = queue.pop() else { break };
-        let attempts = if on_torus { AGAIN } else { 1 };
-        if let Some(wall) = (0..attempts).find_map(|_| chord::across(&mesh, cell, how, &mut rng)) {
+        let Some(cell) = queue.pop() else { break };
+        if let Some(wall) = (0..attempts).find_map(|_| chord::across(&mesh, cell, how, &mut rng, &mut outline)) {
             let other = mesh.divide(cell, &wall);
             enqueue(&mesh, cell, &mut rng, &mut queue);
             enqueue(&mesh, other, &mut rng, &mut queue);
@@ -94,39 +96,29 @@ fn normal(rng: &mut Rng) -> f64 {
     quantile::normal(crate::rng::open_unit(rng.next_u64()))
 }
 
-/// A cell that waits to be split; the largest is first, of equal ones the one with the lowest number.
-struct Next {
-    size: f64,
-    cell: usize,
-}
-
-impl PartialEq for Next {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
+/// Area and centroid of a polygon.
+fn measure(mut polygon: impl Iterator<Item = Point>) -> (f64, Point) {
+    let Some(origin) = polygon.next() else { return (0.0, [0.0; 2]) };
+    let (mut area, mut first) = (0.0, [0.0; 2]);
+    // The first and the last side are at the origin, and add nothing.
+    let mut p = [0.0; 2];
+    for corner in polygon {
+        let q = [corner[0] - origin[0], corner[1] - origin[1]];
+        let cross = p[0] * q[1] - p[1] * q[0];
+        area += cross / 2.0;
+        first = [first[0] + cross * (p[0] + q[0]) / 6.0, first[1] + cross * (p[1] + q[1]) / 6.0];
+        p = q;
     }
+    let safe = if area > 0.0 { area } else { 1.0 };
+    (area, [origin[0] + first[0] / safe, origin[1] + first[1] / safe])
 }
 
-impl Eq for Next {}
-
-impl PartialOrd for Next {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Next {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.size.total_cmp(&other.size).then(other.cell.cmp(&self.cell))
-    }
-}
-
-/// Area, centroid and second moments (xx, xy, yy) of a polygon, about its centroid.
-fn moments(polygon: &[Point]) -> (f64, Point, [f64; 3]) {
-    let origin = polygon[0];
+/// Area, centroid and second moments (xx, xy, yy) of a polygon, about its centroid. The ring ends where it starts.
+fn moments(ring: &[Point]) -> (f64, Point, [f64; 3]) {
+    let origin = ring[0];
     let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
-    for i in 0..polygon.len() {
-        let [p, q] = [polygon[i], polygon[if i + 1 == polygon.len() { 0 } else { i + 1 }]];
-        let (p, q) = ([p[0] - origin[0], p[1] - origin[1]], [q[0] - origin[0], q[1] - origin[1]]);
+    for side in ring.windows(2) {
+        let [p, q] = [0, 1].map(|i| [side[i][0] - origin[0], side[i][1] - origin[1]]);
         let cross = p[0] * q[1] - p[1] * q[0];
         area += cross / 2.0;
         first = [first[0] + cross * (p[0] + q[0]) / 6.0, first[1] + cross * (p[1] + q[1]) / 6.0];

@@ -13,7 +13,7 @@ use expansion::{Expansion, two_sum};
 
 /// Bound on the relative rounding error of the filtered sums below: each is a polynomial of degree at most 4 in
 /// coordinate differences, with fewer than 12 roundings on any path from a difference to the result.
-const FILTER: f64 = 16.0 * f64::EPSILON;
+pub(crate) const FILTER: f64 = 16.0 * f64::EPSILON;
 
 /// Sign of the area of the triangle `a b c`: positive when counter-clockwise.
 pub fn orientation(a: Point, b: Point, c: Point) -> f64 {

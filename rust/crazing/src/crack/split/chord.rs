@@ -1,9 +1,11 @@
 //! Where a new wall runs through a cell.
 
+use std::cmp::Ordering;
+
 use super::mesh::Mesh;
 use super::{Splitting, moments, normal};
 use crate::graph::Point;
-use crate::predicates::orientation;
+use crate::predicates::{FILTER, orientation};
 use crate::rng::Rng;
 
 /// Tries to find a wall that ends far from other junctions.
@@ -23,16 +25,54 @@ const CORNER: f64 = 1e-3;
 
 /// A new wall: the sides of the cell it joins, and its points from the one to the other.
 pub(super) struct Wall {
-    /// Positions in the list of the cell's half-edges.
+    /// Positions in the list of the cell's corners.
     pub(super) sides: [usize; 2],
     /// In the frame of the cell's polygon.
-    pub(super) points: Vec<Point>,
+    pub(super) line: Line,
+}
+
+/// The points of a wall; of a straight one the ends.
+#[derive(Clone, Copy)]
+pub(super) struct Line {
+    points: [Point; PIECES + 1],
+    count: usize,
+}
+
+impl Line {
+    fn straight(a: Point, b: Point) -> Self {
+        let mut points = [b; PIECES + 1];
+        points[0] = a;
+        Self { points, count: 2 }
+    }
+
+    pub(super) fn points(&self) -> &[Point] {
+        &self.points[..self.count]
+    }
+}
+
+/// A cell as one piece, laid out for those who look at all of it several times; made once and filled again.
+#[derive(Default)]
+pub(super) struct Outline {
+    /// Its corners counter-clockwise, the first once more at the end.
+    pub(super) ring: Vec<Point>,
+    /// Those where junctions are.
+    pub(super) nodes: Vec<Point>,
+    /// For each of the ring, how far it is off a line.
+    off: Vec<f64>,
+}
+
+impl Outline {
+    /// Distance from a place to the nearest junction.
+    fn gap(&self, at: Point) -> f64 {
+        let square = |p: &Point| (p[0] - at[0]) * (p[0] - at[0]) + (p[1] - at[1]) * (p[1] - at[1]);
+        self.nodes.iter().map(square).fold(f64::INFINITY, f64::min).sqrt()
+    }
 }
 
 /// A wall through the middle of a cell, across its long axis; None where no wall fits.
-pub(super) fn across(mesh: &Mesh, cell: usize, how: Splitting, rng: &mut Rng) -> Option<Wall> {
-    let polygon = mesh.polygon(cell);
-    let (area, middle, spread) = moments(&polygon);
+pub(super) fn across(mesh: &Mesh, cell: usize, how: Splitting, rng: &mut Rng, outline: &mut Outline) -> Option<Wall> {
+    mesh.lay_out(cell, outline);
+    let (area, middle, spread) = moments(&outline.ring);
     if area <= 0.0 || !area.is_finite() {
         return None;
     }
@@ -44,13 +84,13 @@ pub(super) fn across(mesh: &Mesh, cell: usize, how: Splitting, rng: &mut Rng) ->
         let from = [middle[0] + off * along[0], middle[1] + off * along[1]];
         let (sin, cos) = (libm::sin(turn), libm::cos(turn));
         let way = [-(sin * along[0] + cos * along[1]), cos * along[0] - sin * along[1]];
-        let Some([a, b]) = hits(&polygon, from, way) else { continue };
-        let gap = mesh.gap(cell, &polygon, a.at).min(mesh.gap(cell, &polygon, b.at)) / size;
+        let Some([a, b]) = hits(outline, from, way) else { continue };
+        let gap = outline.gap(a.at).min(outline.gap(b.at)) / size;
         if best.as_ref().is_some_and(|(most, _)| gap <= *most) || mesh.same_edge(cell, a.side, b.side) {
             continue;
         }
-        if let Some(points) = bent(&polygon, [a, b], how.bend) {
-            best = Some((gap, Wall { sides: [a.side, b.side], points }));
+        if let Some(line) = bent(&outline.ring, [a, b], how.bend) {
+            best = Some((gap, Wall { sides: [a.side, b.side], line }));
             if gap >= APART {
                 break;
             }
@@ -84,16 +124,18 @@ pub(super) struct Hit {
 }
 
 /// The nearest sides before and behind `from`.
-fn hits(polygon: &[Point], from: Point, way: Point) -> Option<[Hit; 2]> {
-    let off = |p: Point| way[0] * (p[1] - from[1]) - way[1] * (p[0] - from[0]);
+fn hits(outline: &mut Outline, from: Point, way: Point) -> Option<[Hit; 2]> {
+    let Outline { ring, off, .. } = outline;
+    off.clear();
+    off.extend(ring.iter().map(|p| way[0] * (p[1] - from[1]) - way[1] * (p[0] - from[0])));
     let mut behind: Option<(f64, Hit)> = None;
     let mut before: Option<(f64, Hit)> = None;
-    for side in 0..polygon.len() {
-        let (p, q) = (polygon[side], polygon[(side + 1) % polygon.len()]);
-        let (s, t) = (off(p), off(q));
+    for (side, (ends, off)) in ring.windows(2).zip(off.windows(2)).enumerate() {
+        let (s, t) = (off[0], off[1]);
         if (s > 0.0) == (t > 0.0) {
             continue;
         }
+        let (p, q) = (ends[0], ends[1]);
         let part = s / (s - t);
         let at = [p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1])];
         let far = way[0] * (at[0] - from[0]) + way[1] * (at[1] - from[1]);
@@ -110,20 +152,20 @@ fn hits(polygon: &[Point], from: Point, way: Point) -> Option<[Hit; 2]> {
 }
 
 /// The points of a wall between two hits, as bent as fits into the cell.
-fn bent(polygon: &[Point], hits: [Hit; 2], bend: f64) -> Option<Vec<Point>> {
+fn bent(ring: &[Point], hits: [Hit; 2], bend: f64) -> Option<Line> {
     [bend, bend / 2.0, bend / 4.0, 0.0]
         .into_iter()
-        .map(|bend| curve(polygon, hits, bend))
-        .find(|points| fits(polygon, hits, points))
+        .map(|bend| curve(ring, hits, bend))
+        .find(|line| fits(ring, hits, line.points()))
 }
 
-/// A wall between two hits that leaves both sides at right angles as far as `bend` says.
-pub(super) fn curve(polygon: &[Point], [a, b]: [Hit; 2], bend: f64) -> Vec<Point> {
+/// A wall between two hits on a ring that leaves both sides at right angles as far as `bend` says.
+pub(super) fn curve(ring: &[Point], [a, b]: [Hit; 2], bend: f64) -> Line {
     let chord = [b.at[0] - a.at[0], b.at[1] - a.at[1]];
     let length = libm::hypot(chord[0], chord[1]);
     // Sides run counter-clockwise: the inside is on their left. The wall leaves the first and runs into the second.
     let tangent = |side: usize, sign: f64| {
-        let (p, q) = (polygon[side], polygon[(side + 1) % polygon.len()]);
+        let (p, q) = (ring[side], ring[side + 1]);
         let (x, y) = (q[0] - p[0], q[1] - p[1]);
         let size = libm::hypot(x, y);
         let mixed = [0, 1].map(|i| {
@@ -136,7 +178,7 @@ pub(super) fn curve(polygon: &[Point], [a, b]: [Hit; 2], bend: f64) -> Vec<Point
     let (start, end) = (tangent(a.side, 1.0), tangent(b.side, -1.0));
     let even = |t: Point| t[0] * chord[0] + t[1] * chord[1] > EVEN * length * length;
     if bend == 0.0 || (even(start) && even(end)) {
-        return vec![a.at, b.at];
+        return Line::straight(a.at, b.at);
     }
     let point = |i: usize| {
         let t = i as f64 / PIECES as f64;
@@ -144,17 +186,19 @@ pub(super) fn curve(polygon: &[Point], [a, b]: [Hit; 2], bend: f64) -> Vec<Point
         let (first, second) = (s * s * (1.0 + 2.0 * t), t * t * (3.0 - 2.0 * t));
         [0, 1].map(|k| first * a.at[k] + u * s * start[k] + second * b.at[k] - u * t * end[k])
     };
-    let inner = (1..PIECES).map(point);
-    std::iter::once(a.at).chain(inner).chain(std::iter::once(b.at)).collect()
+    let points = std::array::from_fn(|i| match i {
+        0 => a.at,
+        PIECES => b.at,
+        _ => point(i),
+    });
+    Line { points, count: PIECES + 1 }
 }
 
 /// Whether a wall meets the outline at its ends only.
-fn fits(polygon: &[Point], [a, b]: [Hit; 2], points: &[Point]) -> bool {
-    let ends = |side: usize| (polygon[side], polygon[if side + 1 == polygon.len() { 0 } else { side + 1 }]);
+fn fits(ring: &[Point], [a, b]: [Hit; 2], points: &[Point]) -> bool {
     let last = points.len() - 2;
-    points.windows(2).enumerate().all(|(i, piece)| {
-        (0..polygon.len()).all(|side| {
-            let (p, q) = ends(side);
+    let clears = |side: usize, p: Point, q: Point| {
+        points.windows(2).enumerate().all(|(i, piece)| {
             // At the sides it joins the wall must stay on the inner side.
             if side == a.side && i == 0 {
                 return orientation(p, q, piece[1]) > 0.0;
@@ -164,7 +208,57 @@ fn fits(polygon: &[Point], [a, b]: [Hit; 2], points: &[Point]) -> bool {
             }
             !meet(piece[0], piece[1], p, q)
         })
+    };
+    let band = Band::of(points);
+    let mut here = band.place(ring[0]);
+    ring.windows(2).enumerate().all(|(side, ends)| {
+        let before = here;
+        here = band.place(ends[1]);
+        let is_beside = before == here && here != Ordering::Equal && side != a.side && side != b.side;
+        is_beside || clears(side, ends[0], ends[1])
     })
+}
+
+/// The strip along the chord of a wall that holds all of the wall.
+struct Band {
+    origin: Point,
+    across: Point,
+    low: f64,
+    high: f64,
+}
+
+impl Band {
+    fn of(points: &[Point]) -> Self {
+        let (origin, end) = (points[0], points[points.len() - 1]);
+        let across = [origin[1] - end[1], end[0] - origin[0]];
+        let mut band = Self { origin, across, low: 0.0, high: 0.0 };
+        for &p in points {
+            let (off, error) = band.off(p);
+            (band.low, band.high) = (band.low.min(off - error), band.high.max(off + error));
+        }
+        band
+    }
+
+    /// How far off the chord, by some measure, and a bound on the error of that.
+    #[inline]
+    fn off(&self, p: Point) -> (f64, f64) {
+        let (x, y) = ((p[0] - self.origin[0]) * self.across[0], (p[1] - self.origin[1]) * self.across[1]);
+        (x + y, FILTER * (x.abs() + y.abs()))
+    }
+
+    /// Whether a point is surely below or above the strip. A side whose ends are both surely below, or above, meets
+    /// nothing within.
+    #[inline]
+    fn place(&self, p: Point) -> Ordering {
+        let (off, error) = self.off(p);
+        if off - error > self.high {
+            Ordering::Greater
+        } else if off + error < self.low {
+            Ordering::Less
+        } else {
+            Ordering::Equal
+        }
+    }
 }
 
 /// Whether two segments have a point in common; exact.

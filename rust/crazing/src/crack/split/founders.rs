@@ -67,7 +67,10 @@ impl Founders {
             let moved = |p: Point| [0, 1].map(|i| p[i] + f64::from(shift[i]) * period[i]);
             let sides = [ring[0], ring[1], moved(ring[PIECES + 1]), moved(ring[PIECES])];
             let line = chord::curve(&sides, [Hit { side: 0, at: sides[0] }, Hit { side: 2, at: sides[3] }], bend);
-            let line = if line.len() == 2 { pieces([line[0], line[1]]) } else { line };
+            let line = match *line.points() {
+                [a, b] => pieces([a, b]),
+                ref bent => bent.to_vec(),
+            };
             (is_free(&ring, &line, along), ring, line)
         };
         // The less it bends the surer the second crack has room; straight ones always have.
