@@ -3,6 +3,7 @@
 mod chord;
 mod drawn;
 mod founders;
+mod lists;
 mod mesh;
 mod queue;
 
