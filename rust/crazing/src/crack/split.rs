@@ -1,5 +1,6 @@
 //! Hierarchical cracks: the largest cell is split, and again, every new crack meeting the older ones at right angles.
 
+mod band;
 mod chord;
 mod drawn;
 mod founders;

@@ -2,10 +2,11 @@
 
 use std::cmp::Ordering;
 
+use super::band::Band;
 use super::mesh::Mesh;
 use super::{Splitting, moments, normal};
 use crate::graph::Point;
-use crate::predicates::{FILTER, orientation};
+use crate::predicates::orientation;
 use crate::rng::Rng;
 
 /// Tries to find a wall that ends far from other junctions.
@@ -217,48 +218,6 @@ fn fits(ring: &[Point], [a, b]: [Hit; 2], points: &[Point]) -> bool {
         let is_beside = before == here && here != Ordering::Equal && side != a.side && side != b.side;
         is_beside || clears(side, ends[0], ends[1])
     })
-}
-
-/// The strip along the chord of a wall that holds all of the wall.
-struct Band {
-    origin: Point,
-    across: Point,
-    low: f64,
-    high: f64,
-}
-
-impl Band {
-    fn of(points: &[Point]) -> Self {
-        let (origin, end) = (points[0], points[points.len() - 1]);
-        let across = [origin[1] - end[1], end[0] - origin[0]];
-        let mut band = Self { origin, across, low: 0.0, high: 0.0 };
-        for &p in points {
-            let (off, error) = band.off(p);
-            (band.low, band.high) = (band.low.min(off - error), band.high.max(off + error));
-        }
-        band
-    }
-
-    /// How far off the chord, by some measure, and a bound on the error of that.
-    #[inline]
-    fn off(&self, p: Point) -> (f64, f64) {
-        let (x, y) = ((p[0] - self.origin[0]) * self.across[0], (p[1] - self.origin[1]) * self.across[1]);
-        (x + y, FILTER * (x.abs() + y.abs()))
-    }
-
-    /// Whether a point is surely below or above the strip. A side whose ends are both surely below, or above, meets
-    /// nothing within.
-    #[inline]
-    fn place(&self, p: Point) -> Ordering {
-        let (off, error) = self.off(p);
-        if off - error > self.high {
-            Ordering::Greater
-        } else if off + error < self.low {
-            Ordering::Less
-        } else {
-            Ordering::Equal
-        }
-    }
 }
 
 /// Whether two segments have a point in common; exact.

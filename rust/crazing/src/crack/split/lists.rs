@@ -107,3 +107,43 @@ impl Lists {
         self.table.resize(start + wanted + SPARE, Corner::default());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rng::{Rng, stream};
+
+    fn corner(half: u32) -> Corner {
+        Corner { half, ..Corner::default() }
+    }
+
+    #[test]
+    fn lists_are_those_of_their_own_memory() {
+        let mut rng = Rng::new([1, 2], stream::SPLIT);
+        let (mut lists, mut wanted) = (Lists::of((0..4).map(corner)), vec![vec![0, 1, 2, 3]]);
+        for step in 0..3000_u32 {
+            let cell = rng.below(wanted.len() as u32) as usize;
+            let place = rng.below(wanted[cell].len() as u32 + 1) as usize;
+            if step % 3 > 0 {
+                lists.insert(cell, place, corner(1000 + step));
+                wanted[cell].insert(place, 1000 + step);
+                continue;
+            }
+            let mut given = wanted[cell].split_off(place);
+            let (one, two) = (rng.below(12), rng.below(12));
+            wanted[cell].extend(0..one);
+            given.extend(100..100 + two);
+            wanted.push(given);
+            let fresh = lists.share(
+                cell,
+                place,
+                (0..one as usize).map(|i| corner(i as u32)),
+                (100..100 + two as usize).map(|i| corner(i as u32)),
+            );
+            assert_eq!((fresh, lists.len()), (wanted.len() - 1, wanted.len()));
+        }
+        for (cell, wanted) in wanted.iter().enumerate() {
+            assert_eq!(&lists.list(cell).iter().map(|corner| corner.half).collect::<Vec<_>>(), wanted);
+        }
+    }
+}

@@ -70,3 +70,31 @@ impl Ord for Next {
         self.size.total_cmp(&other.size).then(other.cell.cmp(&self.cell))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rng::{Rng, stream};
+
+    #[test]
+    fn cells_come_as_from_one_heap() {
+        let sizes = [0.0, -0.0, -1.0, 1e-300, f64::INFINITY, f64::NAN, 0.5, 0.5, 0.5, 0.75, 3.0];
+        let (mut queue, mut heap, mut rng) = (Queue::new(), BinaryHeap::new(), Rng::new([1, 2], stream::SPLIT));
+        let mut count = 0;
+        for step in 0..20_000 {
+            let size = if step % 7 == 0 { sizes[rng.below(11) as usize] } else { libm::exp(8.0 * rng.unit()) };
+            queue.push(size, step);
+            heap.push(Next { size, cell: step as u32 });
+            for _ in 0..rng.below(3) {
+                let found = queue.pop();
+                assert_eq!(found, heap.pop().map(|next| next.cell as usize));
+                count += usize::from(found.is_some());
+            }
+        }
+        while let Some(next) = heap.pop() {
+            assert_eq!(queue.pop(), Some(next.cell as usize));
+        }
+        assert_eq!(queue.pop(), None);
+        assert!(count > 10_000);
+    }
+}
