@@ -49,7 +49,7 @@ impl<'a> Guard<'a> {
 
     /// Where all vertices are.
     pub(super) fn places(&self) -> Vec<Point> {
-        self.points[..self.movable].to_vec()
+        parallel::map(self.movable, |vertex| self.points[vertex])
     }
 
     pub(super) fn period(&self) -> Point {
@@ -84,7 +84,10 @@ impl<'a> Guard<'a> {
         watch: Watch<'_>,
     ) -> Result<()> {
         let mut after = std::mem::take(&mut self.goals);
-        after.resize(self.movable, [0.0; 2]);
+        if after.is_empty() {
+            // Not grown: memory that is zero to begin with is first touched by the threads that fill it.
+            after = vec![[0.0; 2]; self.movable];
+        }
         parallel::fill(&mut after, |range, part| {
             let place = |vertex| part_of(1.0, self.points[vertex], goal(self, vertex));
             part.iter_mut().zip(range).for_each(|(slot, vertex)| *slot = place(vertex));

@@ -3,9 +3,10 @@
 use super::net::{Ends, NONE, Net, NetView};
 use super::roughen::Trace;
 use super::roughen::pieces::{pieces_of, repeated, shifts_of};
-use super::strand::{Pieces, Runs, Strands, of_pieces};
+use super::strand::{Pieces, Runs, of_pieces};
 use super::width::{Profile, spans, widen};
 use crate::error::Result;
+use crate::parallel;
 use crate::rng::Key;
 use crate::watch::Watch;
 
@@ -23,9 +24,9 @@ pub struct Pattern {
 pub struct Looks {
     /// Width at both ends.
     pub widths: Vec<[f64; 2]>,
-    /// See [`Strands::of_edge`].
+    /// See [`super::Strands::of_edge`].
     pub strand: Vec<i32>,
-    /// See [`Strands::generation`].
+    /// See [`super::Strands::generation`].
     pub generation: Vec<i32>,
     /// The strand that the strand of the edge abuts, or -1.
     pub parent: Vec<i32>,
@@ -86,15 +87,27 @@ fn looks_of(
 ) -> Result<Looks> {
     let mut widths = spans(net);
     watch.poll()?;
-    let strands = of_pieces(whole, ends, runs, age, &Pieces { starts, span: |piece: usize| widths[piece][0] });
+    let pieces = Pieces { starts, span: |piece: usize| widths[piece][0] };
+    let (mut strands, older) = of_pieces(whole, ends, runs, age, &pieces);
     watch.poll()?;
-    widen(net, whole, starts, &strands, &profile, key, &mut widths)?;
+    let (generation, parent) = if profile.shrink == 1.0 {
+        // One generation after the other, on one thread: widths that do not depend on it are found meanwhile.
+        let widen = || widen(net, whole, starts, &strands, &profile, key, &mut widths);
+        let (done, found) = parallel::join(whole.edges.len(), widen, || older.descend(&strands.run));
+        done?;
+        found
+    } else {
+        let found = older.descend(&strands.run);
+        strands.generation = parallel::map(whole.edges.len(), |k| found.0[strands.of_edge[k] as usize]);
+        widen(net, whole, starts, &strands, &profile, key, &mut widths)?;
+        found
+    };
     watch.poll()?;
-    let Strands { of_edge, generation, parent, .. } = strands;
+    let of_edge = strands.of_edge;
     Ok(Looks {
         widths,
         strand: repeated(starts, |k| of_edge[k]),
-        generation: repeated(starts, |k| generation[k]),
+        generation: repeated(starts, |k| generation[of_edge[k] as usize]),
         parent: repeated(starts, |k| parent[of_edge[k] as usize]),
     })
 }

@@ -131,7 +131,7 @@ pub(super) fn trace(
     }
     watch.poll()?;
     let mut places = vec![[0.0; 2]; old + found - edges];
-    places[..old].copy_from_slice(&vertices);
+    parallel::fill(&mut places[..old], |range, part| part.copy_from_slice(&vertices[range]));
     parallel::grouped(
         edges,
         |k| starts[k] - k,

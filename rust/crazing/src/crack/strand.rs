@@ -1,10 +1,14 @@
 //! Strands: at every vertex the edges that continue each other best are one crack.
 
+mod older;
+
 use std::sync::atomic::{AtomicI32, AtomicU64, Ordering::Relaxed};
 
 use super::net::{Ends, NONE, NetView, length};
 use crate::graph::Point;
 use crate::parallel;
+pub(super) use older::Older;
+use older::met;
 
 /// Beyond the first pair of a vertex, edges are joined only while the cosine between them is below this.
 const STRAIGHT: f64 = -0.2;
@@ -78,18 +82,22 @@ impl Strands {
 /// `age` of every edge, low is old, orders the strands; where there is none the longer is the older.
 pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
     let starts: Vec<usize> = (0..=net.edges.len()).collect();
-    of_pieces(net, None, Runs::of(partner), age, &Pieces { starts: &starts, span: |edge| net.length(edge) })
+    let pieces = Pieces { starts: &starts, span: |edge| net.length(edge) };
+    let (mut found, older) = of_pieces(net, None, Runs::of(partner), age, &pieces);
+    let (generation, parent) = older.descend(&found.run);
+    found.generation = parallel::map(net.edges.len(), |edge| generation[found.of_edge[edge] as usize]);
+    Strands { parent, ..found }
 }
 
 /// The same, lengths summed up piece by piece: the same bits as of a drawing in which every piece is an edge. `ends` where
-/// it is known who meets where.
+/// it is known who meets where. Parents and generations are left to be found.
 pub(super) fn of_pieces(
     net: NetView<'_>,
     ends: Option<&Ends>,
     runs: Runs,
     age: &[i32],
     pieces: &Pieces<'_, impl Fn(usize) -> f64 + Sync>,
-) -> Strands {
+) -> (Strands, Older) {
     let Runs { of_edge, turned, entries, starts, lowest } = runs;
     let mut found = Strands { run_of: of_edge, turned, entries, starts, ..Strands::default() };
     let mut runs = measured(&mut found, &lowest, age, pieces);
@@ -104,8 +112,8 @@ pub(super) fn of_pieces(
         found.length[strand] = f64::from_bits(!run.shortness);
     }
     found.of_edge = parallel::map(net.edges.len(), |edge| found.strand[found.run_of[edge] as usize] as i32);
-    descend(net, ends, &mut found);
-    found
+    let older = met(net, ends, &mut found);
+    (found, older)
 }
 
 /// Unit vector from an end along its edge.
@@ -259,49 +267,4 @@ fn measured(
     let runs = parallel::map(lowest.len(), run);
     found.before = before.into_iter().map(|bits| f64::from_bits(bits.into_inner())).collect();
     runs
-}
-
-/// Finds who abuts whom, and so the generations.
-fn descend(net: NetView<'_>, ends: Option<&Ends>, found: &mut Strands) {
-    let tips = |run: usize| match found.entries_of(run) {
-        [first, .., last] => [*first, last ^ 1],
-        [only] => [*only, only ^ 1],
-        [] => [0, 0],
-    };
-    let runs = found.strand.len();
-    let own = ends.is_none().then(|| {
-        let mut is_tip = vec![false; net.vertices.len()];
-        (0..runs).flat_map(tips).for_each(|end| is_tip[net.vertex(end)] = true);
-        Ends::at_some(net, |vertex| is_tip[vertex])
-    });
-    let Some(ends) = ends.or(own.as_ref()) else { return };
-    // In the order of the runs, where memory is near: the older strands that each meets.
-    let mut alone = vec![[false; 2]; runs];
-    let met = parallel::fill(&mut alone, |range, alone| {
-        let (mut older, mut starts) = (Vec::new(), Vec::with_capacity(range.len()));
-        for (run, alone) in range.zip(alone) {
-            starts.push(older.len() as u32);
-            let here = tips(run).map(|tip| ends.at(net.vertex(tip)));
-            *alone = here.map(|here| here.len() == 1);
-            let all = here.into_iter().flatten().map(|&end| found.of_edge[end as usize / 2]);
-            older.extend(all.filter(|&other| other < found.strand[run] as i32));
-        }
-        (older, starts)
-    });
-    let (mut older, mut starts) = (Vec::new(), Vec::with_capacity(runs + 1));
-    for (some, from) in met {
-        starts.extend(from.into_iter().map(|start| older.len() as u32 + start));
-        older.extend(some);
-    }
-    starts.push(older.len() as u32);
-    let (mut generation, mut parents): (Vec<i32>, _) = (Vec::with_capacity(runs), Vec::with_capacity(runs));
-    for &run in &found.run {
-        let older = &older[starts[run as usize] as usize..starts[run as usize + 1] as usize];
-        // Older strands have their generation already.
-        let parent = older.iter().max_by_key(|&&other| (generation[other as usize], std::cmp::Reverse(other)));
-        generation.push(parent.map_or(0, |&other| generation[other as usize] + 1));
-        parents.push(parent.map_or(NONE, |&other| other));
-    }
-    found.generation = parallel::map(net.edges.len(), |edge| generation[found.of_edge[edge] as usize]);
-    (found.alone, found.parent) = (alone, parents);
 }

@@ -41,8 +41,15 @@ fn with_room<T>(edges: usize, numbers: impl Iterator<Item = T>) -> Vec<T> {
 }
 
 impl Bed {
-    pub(super) fn of(net: Net, partner: Vec<i32>, fence: Fence, bounds: [f64; 4]) -> Self {
+    pub(super) fn of(mut net: Net, mut partner: Vec<i32>, mut fence: Fence, bounds: [f64; 4]) -> Self {
         let edges = net.edges.len();
+        // Room for what grows: to move all when it is wanted would take one thread.
+        let more = edges / 2;
+        parallel::join(
+            edges,
+            || (net.edges.reserve(more), fence.kites.reserve(2 * more)),
+            || partner.reserve(2 * more),
+        );
         let large = largest(&net.vertices).max(largest(&fence.anchors)).max(net.period[0]).max(net.period[1]);
         Self {
             about: Index::of(&fence.kites, net.vertices.len() + fence.anchors.len()),
