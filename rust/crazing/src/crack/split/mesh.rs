@@ -107,10 +107,8 @@ impl Mesh {
 
     /// Whether two sides of a cell are the two faces of one wall.
     pub(super) fn same_edge(&self, cell: usize, a: usize, b: usize) -> bool {
-        {
-            let list = self.cells.list(cell);
-            list[a].half / 2 == list[b].half / 2
-        }
+        let list = self.cells.list(cell);
+        list[a].half / 2 == list[b].half / 2
     }
 
     fn add_point(&mut self, p: Point) -> i32 {
