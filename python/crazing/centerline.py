@@ -75,7 +75,8 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
     if not parts:
         raise DegenerateInputError("polygon is empty; a ring of at least 3 points is wanted")
     rings, exponent = _scaled([ring for part in parts for ring in part])
-    area = 2 * abs(_area(rings[0])) - sum(abs(_area(ring)) for ring in rings)
+    areas = [abs(_area(ring)) for ring in rings]
+    area = 2 * areas[0] - sum(areas)
     if len(parts) > 1 or area <= 0:
         # Neighbours that share a side become one polygon, and of several only plain rings tell what is a hole.
         rings = _plain(rings)
@@ -142,7 +143,8 @@ def _opened(ring: Ring) -> Ring:
     (scaled,), _ = _scaled([ring])
     away = scaled - scaled[0]
     along = away[np.abs(away).argmax() // 2]
-    if not (away[:, 0] * along[1] != away[:, 1] * along[0]).any():
+    # Nearly always the first few points tell.
+    if not any((part[:, 0] * along[1] != part[:, 1] * along[0]).any() for part in (away[:FEWEST], away)):
         raise DegenerateInputError("a ring of the polygon has no area")
     return ring
 

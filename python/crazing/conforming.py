@@ -30,12 +30,18 @@ def conforming(rings: list[Ring], rounds: int) -> tuple[Diagram, Mask, list[Ring
     left = GROWTH * total + 4000 if rounds == QUICK else max(rounds * total // 2, CROWD)
     for _ in range(rounds):
         found = diagram(np.concatenate(rings))
-        starts = np.cumsum([0, *map(len, rings)])
+        starts = np.cumsum([0, *map(len, rings)], dtype=np.int64)
+        # Without duplicates a site is its row; where rings touch, it has several ends.
+        is_plain = len(found.sites) == total
+        if is_plain:
+            boundary = _core.ring_edges(found.arrays, starts)
+            if np.count_nonzero(boundary) == total:
+                return found, boundary, rings
         ends = np.concatenate([np.roll(np.arange(a, b), -1) for a, b in pairwise(starts)])
-        boundary = _between(found, ends)
-        if np.count_nonzero(boundary) == len(ends):
-            return found, boundary, rings
-        missing = ~_among(_keys(np.column_stack([found.site_of, found.site_of[ends]])), _keys(found.edges))
+        edges, sides = _keys(found.edges), _keys(np.column_stack([found.site_of, found.site_of[ends]]))
+        if not is_plain:
+            boundary = _among(edges, sides)
+        missing = ~_among(sides, edges)
         if not missing.any():
             return found, boundary, rings
         pieces = np.split(missing, starts[1:-1])
@@ -89,16 +95,6 @@ def _travelled(rings: list[Ring]) -> tuple[NDArray[np.float64], NDArray[np.float
 def side_lengths(ring: Ring) -> NDArray[np.float64]:
     """(k,), the length of every side of a ring, from each corner to the next."""
     return np.asarray(np.hypot(*(np.roll(ring, -1, axis=0) - ring).T))
-
-
-def _between(found: Diagram, ends: NDArray[np.int64]) -> Mask:
-    """Which edges join a row of points to the one that `ends` names for it."""
-    if len(found.sites) < len(ends):
-        # Where rings touch, a site has several ends.
-        return _among(_keys(found.edges), _keys(np.column_stack([found.site_of, found.site_of[ends]])))
-    # Without duplicates a site is its row: many times faster than looking pairs up.
-    low, high = found.edges.T
-    return np.asarray((ends[low] == high) | (ends[high] == low))
 
 
 def _among(keys: NDArray[np.int64], known: NDArray[np.int64]) -> Mask:

@@ -108,6 +108,18 @@ pub(crate) fn sides<'py>(
     Ok((PyArray1::from_vec(py, inside), PyArray1::from_vec(py, crossed), PyArray1::from_vec(py, residuals)))
 }
 
+/// Whether each edge joins a site to the next of its ring; `starts` are where the rings start, and the number of sites.
+#[pyfunction]
+pub(crate) fn ring_edges<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    starts: PyReadonlyArray1<'py, i64>,
+) -> PyResult<Mask<'py>> {
+    let view = arrays.view()?;
+    let starts = starts.as_slice()?;
+    Ok(PyArray1::from_vec(py, detached(py, |_| skeleton::ring_edges(view, starts))?))
+}
+
 /// An axis without the tips that are no higher than `least`.
 #[pyfunction]
 pub(crate) fn without_bumps<'py>(

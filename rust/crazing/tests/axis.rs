@@ -5,7 +5,7 @@ mod families;
 
 use crazing::diagram::diagram;
 use crazing::graph::{components, degrees};
-use crazing::skeleton::{Measure, Rings, axis_edges, branches, curve, longest, one_step};
+use crazing::skeleton::{Measure, Rings, axis_edges, branches, curve, longest, one_step, ring_edges};
 use crazing::{Diagram, Error, Point, Watch};
 use families::{any_points, family, lattice, shuffled};
 use proptest::prelude::*;
@@ -44,6 +44,20 @@ fn inside_of_nested_circles_alternates() {
         assert!((x.hypot(y) - 1.5).abs() < 0.01);
     }
     assert!(inner.iter().any(|&inner| inner));
+}
+
+#[test]
+fn edges_along_rings_are_found() {
+    // Two squares, one in the other.
+    let square = |r: f64| [[-r, -r], [r, -r], [r, r], [-r, r]];
+    let d = of(&[square(2.0), square(1.0)].concat());
+    let found = ring_edges(d.view(), &[0, 4, 8]).unwrap();
+    let wanted = |&[a, b]: &[i32; 2]| a / 4 == b / 4 && (a - b).abs() != 2;
+    assert_eq!(found, d.edges.iter().map(wanted).collect::<Vec<_>>());
+    for starts in [&[][..], &[0, 4], &[0, 4, 9], &[0, 5, 4, 8], &[1, 8], &[0, 0, 8], &[-3, 8], &[0, 4, 5, i64::MAX]] {
+        let refused = ring_edges(d.view(), starts);
+        assert!(matches!(refused, Err(Error::BadLength { array: "rings", wanted: 8, .. })), "{starts:?}");
+    }
 }
 
 #[test]

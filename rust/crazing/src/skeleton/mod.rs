@@ -42,5 +42,5 @@ pub use nearest::nearest;
 pub use one_step::one_step;
 pub use peel::peeled;
 pub use poles::{Variant, poles, poles_axis};
-pub use rings::Rings;
+pub use rings::{Rings, ring_edges};
 pub use second::{Second, second};

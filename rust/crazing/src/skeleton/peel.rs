@@ -23,32 +23,41 @@ pub fn peeled(view: DiagramView<'_>, axis: &[bool], worth: &[f64], least: f64, w
         }
     }
     let mut tree = Tree::of(view, axis);
-    let mut weak: Vec<u32> = Vec::new();
-    let mut sets = DisjointSets::new(view.vertices.len());
-    for (k, &worth) in worth.iter().enumerate() {
-        let is_weak = worth < least;
-        match tree.is_drawn(k) {
-            true if is_weak => weak.push(k as u32),
-            true => drop(sets.unite(tree.duals[k][0] as usize, tree.duals[k][1] as usize)),
-            false => tree.kept[k] &= !is_weak,
+    let is_weak = |k: u32| worth[k as usize] < least;
+    let mut weak = Vec::new();
+    for k in (0..wanted as u32).filter(|&k| is_weak(k)) {
+        if tree.is_drawn(k as usize) {
+            weak.push(k);
+        } else {
+            tree.kept[k as usize] = false;
         }
     }
-    let strong = sets.clone();
-    let mut joins = |k: &u32| sets.unite(tree.duals[*k as usize][0] as usize, tree.duals[*k as usize][1] as usize);
-    // Where no weak edge closes a cycle, none has to be better than another.
-    if !weak.iter().all(&mut joins) {
-        sets = strong;
-        // The best ones first: what they have joined needs no worse one.
-        weak.sort_by(|&a, &b| worth[b as usize].total_cmp(&worth[a as usize]));
-        for &k in &weak {
-            let [a, b] = tree.duals[k as usize];
-            if !sets.unite(a as usize, b as usize) {
-                tree.cut(k);
-            }
-        }
+    peel(&mut tree, weak.clone(), is_weak, watch)?;
+    weak.retain(|&k| tree.kept[k as usize]);
+    if !weak.is_empty() {
+        // These hold stronger parts together, or lie on cycles, on which nothing is a tip.
+        open(&mut tree, &mut weak, is_weak, worth);
+        peel(&mut tree, weak, is_weak, watch)?;
     }
-    peel(&mut tree, weak, |k| worth[k as usize] < least, watch)?;
     Ok(tree.kept)
+}
+
+/// Cuts the weak edges that close a cycle of strong and better ones.
+fn open(tree: &mut Tree, weak: &mut [u32], is_weak: impl Fn(u32) -> bool, worth: &[f64]) {
+    let mut sets = DisjointSets::new(tree.vertices());
+    let mut joins = |tree: &Tree, k: u32| {
+        let [a, b] = tree.duals[k as usize];
+        sets.unite(a as usize, b as usize)
+    };
+    let strong = (0..worth.len() as u32).filter(|&k| tree.is_drawn(k as usize) && !is_weak(k));
+    strong.for_each(|k| _ = joins(tree, k));
+    // The best ones first: what they have joined needs no worse one.
+    weak.sort_by(|&a, &b| worth[b as usize].total_cmp(&worth[a as usize]));
+    for &k in &*weak {
+        if !joins(tree, k) {
+            tree.cut(k);
+        }
+    }
 }
 
 fn peel(tree: &mut Tree, mut todo: Vec<u32>, is_weak: impl Fn(u32) -> bool, watch: Watch<'_>) -> Result<()> {

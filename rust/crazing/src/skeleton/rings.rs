@@ -136,6 +136,33 @@ impl<'a> Rings<'a> {
     }
 }
 
+/// Which edges join a site to the next one of its ring, where sites are numbered ring after ring from each of `starts`
+/// to the next.
+///
+/// # Errors
+/// [`Error::BadLength`] where the rings are not all sites.
+pub fn ring_edges(view: DiagramView<'_>, starts: &[i64]) -> Result<Vec<bool>> {
+    let wanted = view.sites.len();
+    let mut next: Vec<i32> = (1..=wanted as i32).collect();
+    let mut end = 0;
+    for pair in starts.windows(2) {
+        let (first, last) = (pair[0], pair[1].saturating_sub(1));
+        if first != end || last < first || last >= wanted as i64 {
+            break;
+        }
+        next[last as usize] = first as i32;
+        end = last + 1;
+    }
+    if end != wanted as i64 {
+        return Err(Error::BadLength { array: "rings", found: end as usize, wanted });
+    }
+    let follows = |a: i32, b: i32| next[a as usize] == b;
+    Ok(parallel::map(view.edges.len(), |k| {
+        let [a, b] = view.edges[k];
+        follows(a, b) | follows(b, a)
+    }))
+}
+
 fn fits(array: &'static str, mask: &[bool], view: DiagramView<'_>) -> Result<()> {
     let (found, wanted) = (mask.len(), view.edges.len());
     if found == wanted { Ok(()) } else { Err(Error::BadLength { array, found, wanted }) }

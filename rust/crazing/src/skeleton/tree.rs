@@ -1,5 +1,7 @@
 //! An axis from which tips are cut.
 
+use std::cell::OnceCell;
+
 use crate::diagram::{DiagramView, representatives};
 use crate::incidence::Incidence;
 
@@ -7,9 +9,12 @@ use crate::incidence::Incidence;
 /// infinite or without length, has no ends, and is no tip.
 pub(super) struct Tree {
     pub(super) duals: Vec<[i32; 2]>,
-    about: Incidence,
+    /// How many kept edges every vertex has, and their numbers by exclusive or: of the last one, its number.
     degrees: Vec<u32>,
+    last: Vec<u32>,
     pub(super) kept: Vec<bool>,
+    /// All drawn edges at every vertex, once they are asked for.
+    about: OnceCell<Incidence>,
 }
 
 impl Tree {
@@ -20,9 +25,18 @@ impl Tree {
             if kept && !ends.contains(&-1) && ends[0] != ends[1] { ends } else { [-1; 2] }
         };
         let duals: Vec<[i32; 2]> = view.dual_edges.iter().zip(axis).map(drawn).collect();
-        let about = Incidence::of(view.vertices.len(), &duals);
-        let degrees = (0..view.vertices.len()).map(|v| about.at(v).len() as u32).collect();
-        Self { duals, about, degrees, kept: axis.to_vec() }
+        let (mut degrees, mut last) = (vec![0; view.vertices.len()], vec![0; view.vertices.len()]);
+        for (k, ends) in (0..).zip(&duals).filter(|(_, ends)| ends[0] != -1) {
+            for &v in ends {
+                degrees[v as usize] += 1;
+                last[v as usize] ^= k;
+            }
+        }
+        Self { duals, degrees, last, kept: axis.to_vec(), about: OnceCell::new() }
+    }
+
+    pub(super) fn vertices(&self) -> usize {
+        self.degrees.len()
     }
 
     pub(super) fn is_drawn(&self, k: usize) -> bool {
@@ -50,24 +64,30 @@ impl Tree {
 
     pub(super) fn cut(&mut self, k: u32) {
         self.kept[k as usize] = false;
-        self.duals[k as usize].iter().for_each(|&v| self.degrees[v as usize] -= 1);
+        for v in self.duals[k as usize].map(|v| v as usize) {
+            self.degrees[v] -= 1;
+            self.last[v] ^= k;
+        }
     }
 
     /// The last edge at a vertex, if there is only one left.
     pub(super) fn next_tip(&self, v: usize) -> Option<u32> {
-        let last = self.about.at(v).iter().copied().find(|&k| self.kept[k as usize]);
-        last.filter(|_| self.degrees[v] == 1)
+        (self.degrees[v] == 1).then_some(self.last[v])
     }
 
     /// Takes an edge in again.
     pub(super) fn join(&mut self, k: u32) {
         self.kept[k as usize] = true;
-        self.duals[k as usize].iter().for_each(|&v| self.degrees[v as usize] += 1);
+        for v in self.duals[k as usize].map(|v| v as usize) {
+            self.degrees[v] += 1;
+            self.last[v] ^= k;
+        }
     }
 
     /// The edges at a vertex that are left out and lead to a vertex of which all are.
     pub(super) fn left_out(&self, v: i32) -> impl Iterator<Item = u32> {
         let alone = move |k: u32| self.duals[k as usize].iter().all(|&u| u == v || self.degrees[u as usize] == 0);
-        self.about.at(v as usize).iter().copied().filter(move |&k| !self.kept[k as usize] && alone(k))
+        let about = self.about.get_or_init(|| Incidence::of(self.degrees.len(), &self.duals));
+        about.at(v as usize).iter().copied().filter(move |&k| !self.kept[k as usize] && alone(k))
     }
 }
