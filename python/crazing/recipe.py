@@ -61,6 +61,7 @@ _RANGES: dict[str, tuple[float, float]] = {
     "abutting": (0, 2),
     "unevenness": (0, 2),
     "fade": (0, 16),
+    "variant": (0, 2**31 - 1),
 }
 _WORDS = {"generator": GENERATORS, "sampler": SAMPLERS, "tree": TREES}
 
@@ -154,6 +155,9 @@ class Recipe:
     fade : float
         Width falls with the distance d from the source as ``(1 + (d / r)**2)**(-fade / 2)``, with r a quarter of the
         smaller side.
+    variant : int
+        Recipes that differ in it make of one seed patterns that have nothing to do with each other, also where all
+        their first steps are alike; those of one variant change little by little with their numbers.
     title : str
         What the recipe makes.
     citation : str
@@ -208,6 +212,7 @@ class Recipe:
     abutting: float = 0.6
     unevenness: float = 0.0
     fade: float = 0.0
+    variant: int = 0
     title: str = field(default="", compare=False)
     citation: str = field(default="", compare=False)
 
@@ -284,7 +289,7 @@ class Recipe:
         CrazingError
             If a coordinate is NaN or infinite.
         """
-        seed = _rng.generator(rng)
+        seed = _rng.varied(rng, self.variant)
         if period is None and isinstance(points, Diagram):
             period = points.period
         torus = None if period is None else areal(period_pair(period), "period")

@@ -30,6 +30,12 @@ def generator(rng: RNG = None) -> np.random.Generator:
         raise type(error)(f"rng is {found(rng)}; {wanted}") from None
 
 
+def varied(rng: RNG, variant: int) -> np.random.Generator:
+    """The generator of `rng`; for every variant but 0 another one, keyed by it as well."""
+    seed = generator(rng)
+    return seed if variant == 0 else np.random.default_rng([*key(seed), variant])
+
+
 def _flat(rng: Any) -> Any:
     """`rng`, but for bools and for lists in lists, which NumPy follows until the stack is at its end."""
     if isinstance(rng, (bool, np.bool_)):

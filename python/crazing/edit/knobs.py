@@ -165,6 +165,7 @@ _FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
     "abutting": ("Abutting", (0, 1, 0.01), "Width where a crack meets another"),
     "unevenness": ("Unevenness", (0, 1, 0.01), "Of width along a crack"),
     "fade": ("Fade", (0, 8, 0.1), "Thinner away from the middle"),
+    "variant": ("Variant", (0, 20, 1), "Another pattern of the same seed"),
 }
 _WORDS = {"generator": GENERATORS, "sampler": SAMPLERS, "tree": TREES}
 _FIRST = ("opening", "rounds", "roughness", "thickness", "hierarchy", "taper")
