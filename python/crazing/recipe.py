@@ -114,7 +114,8 @@ class Recipe:
     turn : float
         At a junction of a maze a crack goes on only where it turns by no more than so many degrees.
     hairpin : float
-        A crack of a maze that turns back by more than so many degrees is parted there; 180 leaves all whole.
+        A crack of a maze that turns back by more than so many degrees is parted there, or ends if another meets it
+        there; 180 leaves all whole.
     jitter : float
         Splitting: standard deviation of the logarithm of the size by which the next plate is chosen.
     bend : float

@@ -294,12 +294,14 @@ def part(drawing: Drawing, *, hairpin: float, reach: float) -> Drawing:
     hairpin : float
         Degrees, 0 to 180: cracks that turn by more are parted.
     reach : float
-        How far along the crack the turn is looked for, data units.
+        How far along the crack the turn is looked for, data units; over a half and a quarter of it too, so that a
+        crack that turns back twice in a short way is parted.
 
     Returns
     -------
     Drawing
-        Without one edge at each such turn.
+        Without the shorter edge at each such turn, and without the vertices that then have none; where a third one
+        meets the two, all stay, and the cracks end.
 
     Raises
     ------

@@ -24,10 +24,10 @@ use crate::watch::Watch;
 pub struct Course {
     /// See [`super::straighten`].
     pub straightening: Option<Straightening>,
-    /// See [`super::parted`]: the sharpest turn, and how far along the crack it is looked for.
-    pub hooks: Option<[f64; 2]>,
     /// See [`super::pairs`]: the sharpest turn.
     pub turn: Option<f64>,
+    /// See [`super::parted`]: the sharpest turn, and how far along the crack it is looked for.
+    pub hooks: Option<[f64; 2]>,
     /// See [`warp`]: its amplitude.
     pub warp: Option<(f64, Key)>,
     /// See [`super::stubs`].
@@ -66,22 +66,20 @@ pub fn course(
     watch: Watch<'_>,
 ) -> Result<Pattern> {
     let needs_ends = how.straightening.is_some() || how.turn.is_some();
-    let (mut stage, mut ends) =
+    let (mut stage, ends) =
         parallel::join(net.edges.len(), || Stage::of(net, fence, partner, age), || needs_ends.then(|| Ends::of(net)));
     if let (Some(how), Some(ends)) = (how.straightening, &ends) {
         stage.vertices = straightened(stage.net(), ends, &stage.partner, stage.fence(), how, watch)?.into();
     }
-    if let Some([sharpest, reach]) = how.hooks {
-        let parted = part(stage.net(), &stage.partner, stage.fence(), &stage.age, [sharpest, reach], watch)?;
-        stage = Stage::owning(parted.net, parted.fence, parted.partner, parted.age);
-        ends = None;
-    }
-    if let Some(sharpest) = how.turn {
-        let ends = ends.take().unwrap_or_else(|| Ends::of(stage.net()));
-        stage.partner = paired(stage.net(), &ends, sharpest).into();
+    if let (Some(sharpest), Some(ends)) = (how.turn, &ends) {
+        stage.partner = paired(stage.net(), ends, sharpest).into();
         stage.age = Cow::default();
     }
     drop(ends);
+    if let Some(turn) = how.hooks {
+        let parted = part(stage.net(), &stage.partner, stage.fence(), &stage.age, turn, watch)?;
+        stage = Stage::owning(parted.net, parted.fence, parted.partner, parted.age);
+    }
     watch.poll()?;
     if let Some((amplitude, key)) = how.warp {
         stage.vertices = warp(stage.net(), stage.fence(), amplitude, bounds, key, watch)?.into();
