@@ -38,9 +38,28 @@ impl Room {
         Self { length, sides: [side(0, 1.0), side(1, -1.0)] }
     }
 
-    /// `height` at `x` along the edge, kept within the kite.
-    pub(super) fn within(&self, x: f64, height: f64) -> f64 {
-        let [along, across] = self.sides[usize::from(height < 0.0)];
+    /// How far off an edge a place at `x` along it is that is to lie `bent` off and `height` off that: bent as far as the
+    /// kite allows, and thrown back by its sides where the height goes on beyond.
+    ///
+    /// Kept at the sides instead, it would run along them: of a kite with one thin half, straight along the edge.
+    pub(super) fn within(&self, x: f64, bent: f64, height: f64) -> f64 {
+        let (left, right) = (self.most(x, 0), self.most(x, 1));
+        let bent = bent.clamp(-right, left);
+        let (low, high) = (-right - bent, left - bent);
+        if (low..=high).contains(&height) {
+            return bent + height;
+        }
+        let across = high - low;
+        if !(across > 0.0 && height.is_finite()) {
+            return (bent + height).clamp(-right, left);
+        }
+        let off = (height - low).rem_euclid(2.0 * across);
+        (bent + low + if off > across { 2.0 * across - off } else { off }).clamp(-right, left)
+    }
+
+    /// How far off the edge the kite allows at `x` along it, to one side.
+    fn most(&self, x: f64, side: usize) -> f64 {
+        let [along, across] = self.sides[side];
         // Of the two sides up to the apex and down from it, the one that `x` is under.
         let part = if x < along {
             x / along
@@ -49,7 +68,6 @@ impl Room {
         } else {
             1.0
         };
-        let most = ROOM * across * part.min(1.0);
-        height.clamp(-most, most)
+        ROOM * across * part.min(1.0)
     }
 }

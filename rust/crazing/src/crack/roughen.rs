@@ -259,7 +259,7 @@ fn place(net: NetView<'_>, room: &Room, bow: &Bow, heights: &[f64], edge: usize,
         // Exact: there are a power of two.
         let part = i as f64 * step;
         let bent = if is_straight { 0.0 } else { room.length * bow.height(part) };
-        let height = room.within(part * room.length, bent + heights[i]);
+        let height = room.within(part * room.length, bent, heights[i]);
         *place = [a[0] + part * (b[0] - a[0]) - height * y, a[1] + part * (b[1] - a[1]) + height * x];
     }
 }
