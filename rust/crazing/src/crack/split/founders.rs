@@ -11,8 +11,10 @@ use crate::rng::Rng;
 const WAYS: [[[i32; 2]; 2]; 4] = [[[1, 0], [0, 1]], [[0, 1], [-1, 0]], [[1, 1], [0, 1]], [[1, -1], [0, 1]]];
 /// Standard deviation of the logarithm of the length by which one of them is chosen.
 const CHOICE: f64 = 0.3;
-/// Waves along the first crack: standard deviations in parts of the way between two of its turns.
-const WAVES: [f64; 3] = [0.05, 0.015, 0.008];
+/// Waves along the first crack, one more in each than in the one before: standard deviations in parts of the way between
+/// two of its turns, where walls bend all the way. They fall as those of a line of Hurst exponent .7 do: with a long one
+/// far above the others the crack is a sine, and every tile shows it.
+const WAVES: [f64; 6] = [0.03, 0.013, 0.008, 0.0057, 0.0043, 0.0035];
 /// Pieces of it between the ends of the second.
 const PIECES: usize = 16;
 /// How far from opposite each other the ends of the second crack are, in parts of the first: at least, and at most.
@@ -40,7 +42,7 @@ impl Founders {
         let [along, over] = [way, next].map(|turns| [0, 1].map(|i| f64::from(turns[i]) * period[i]));
         let square = along[0] * along[0] + along[1] * along[1];
         let origin = [0, 1].map(|i| corner[i] + period[i] * rng.unit());
-        let waves = WAVES.map(|size| [size * normal(rng), rng.unit()]);
+        let waves = WAVES.map(|size| [how.bend * size * normal(rng), rng.unit()]);
         let aside = ASIDE[0] + (ASIDE[1] - ASIDE[0]) * rng.unit();
         let aside = if rng.unit() < 0.5 { aside } else { -aside };
         // Opposite in the frame of the first crack, and so much aside.

@@ -1,0 +1,26 @@
+"""The first cracks of a torus, from which splitting starts."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import crazing as cz
+
+
+def first_crack(bend: float, seed: int) -> np.ndarray:
+    """How far the first crack of a torus lies off its way around, at even places."""
+    drawing = cz.steps.split(1, bend=bend, period=(1, 1), rng=seed)
+    first = np.flatnonzero(drawing.age == drawing.age.min())
+    start, end = np.moveaxis(drawing.vertices[drawing.edges[first]], 1, 0)
+    step = end + drawing.shifts[first] - start
+    way = np.rint(step.sum(axis=0))
+    along = np.concatenate([[0.0], np.cumsum(step @ way)]) / (way @ way)
+    across = np.concatenate([[0.0], np.cumsum(step @ (-way[1], way[0]))])
+    return np.interp(np.arange(64) / 64, along, across)
+
+
+def test_the_first_crack_of_a_torus_is_no_sine() -> None:
+    """A wave of one period far above the others is seen in every tile."""
+    power = np.mean([np.abs(np.fft.rfft(first_crack(1.0, seed))[1:6]) ** 2 for seed in range(200)], axis=0)
+    assert 0.2 < power[1:].sum() / power[0] < 0.6
+    assert max(np.abs(first_crack(0.0, seed)).max() for seed in range(20)) < 1e-12
