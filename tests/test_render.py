@@ -222,3 +222,20 @@ def test_notebooks_show_pictures() -> None:
     assert maze._repr_svg_() == maze.walls.to_svg()
     assert maze.diagram._repr_svg_() == maze.diagram.delaunay.to_svg()
     assert cz.diagram([[0, 0], [0.1, 0.2], [0.3, 0]], period=(1, 1))._repr_svg_() is None
+
+
+@pytest.mark.parametrize("preset", ["glaze", "mud-mature"])
+def test_a_periodic_crack_is_drawn_over_its_seams(preset: str) -> None:
+    """Edges that leave the period once ran back across all of it, in notebooks too."""
+    c = cz.crack(preset=preset, n=40, period=(2, 1), rng=2)
+    one = cz.render(c, (120, 240))[..., 0].astype(int)
+    # The widths of textures are covered by other code; both are dark where there is crack.
+    mask = cz.texture(c, (120, 240), maps=["mask"])["mask"]
+    assert abs(float((244 - one).mean() / (244 - 43) - mask.mean() / 255)) < 0.005
+    four = cz.render(c, (240, 480), bounds=(0, 0, 4, 2))[..., 0].astype(int)
+    assert np.abs(four - np.tile(one, (2, 2))).max() <= 4
+    # Beside bounds of another shape the pattern goes on.
+    wide = cz.render(c, (120, 480), bounds=(0, 0, 2, 1))[..., 0].astype(int)
+    assert np.abs(wide - np.tile(one, (1, 3))[:, 120:600]).max() <= 4
+    with pytest.raises(ValueError, match="bounds show"):
+        cz.render(c, 8, bounds=(0, 0, 1e9, 1e9))

@@ -16,6 +16,9 @@ Color: TypeAlias = "str | tuple[int, int, int] | tuple[int, int, int, int]"
 MAX_PIXELS = 2**30
 """The most pixels one picture may have; it would take 4 GiB."""
 
+MAX_COPIES = 2**26
+"""The most edges that a periodic crack may be repeated to."""
+
 _GRAPH_WIDTH = 1.5
 """Pixels; what Matplotlib's 1.5 points are at 72 dots an inch."""
 
@@ -105,7 +108,8 @@ def render(
     ----------
     crack_or_graph
         An object with ``graph``, ``width`` and ``bounds``, drawn with its widths; or one with ``vertices`` (v, 2)
-        and ``edges`` (e, 2), drawn with the width of the style.
+        and ``edges`` (e, 2), drawn with the width of the style. A crack with a ``period`` is drawn again and again,
+        as far as is shown.
     size
         (height, width) in pixels; one integer means a square. At most 2**30 pixels.
     bounds
@@ -150,6 +154,8 @@ def render(
     vertices, edges = _edges(getattr(crack_or_graph, "graph", crack_or_graph))
     box = _bounds(crack_or_graph, vertices, edges, bounds)
     widths = _widths(crack_or_graph, len(edges), style, min(width / (box[2] - box[0]), height / (box[3] - box[1])))
+    if getattr(crack_or_graph, "period", None) is not None and hasattr(crack_or_graph, "shifts"):
+        vertices, edges, widths = _repeated(crack_or_graph, vertices, edges, widths, _shown(box, height, width))
     picture = np.empty((height, width, 4), dtype=np.uint8)
     colors = rgba(style.ink, "ink"), rgba(style.ground, "ground")
     _core.render(vertices, edges, widths, box, *colors, float(style.min_width), workers, picture)
@@ -178,6 +184,40 @@ def _widths(crack_or_graph: Any, edges: int, style: Style, scale: float) -> NDAr
         return widths.reshape(edges, 2)
     width = _GRAPH_WIDTH / scale if style.width is None else float(style.width)
     return np.full((edges, 2), width)
+
+
+def _shown(box: tuple[float, float, float, float], height: int, width: int) -> NDArray[np.float64]:
+    """(2, 2) the lower left and the upper right corner of a picture, in data units."""
+    low, high = np.reshape(box, (2, 2))
+    half = np.array([width, height]) * float(((high - low) / (width, height)).max()) / 2
+    middle = low / 2 + high / 2
+    return np.stack([middle - half, middle + half])
+
+
+def _repeated(
+    crack: Any,
+    vertices: NDArray[np.float64],
+    edges: NDArray[np.int32],
+    widths: NDArray[np.float64],
+    shown: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.float64]]:
+    """Every copy of every edge of a periodic crack that may be seen, with vertices of its own."""
+    period = np.asarray(crack.period, dtype=float)
+    ends = vertices[edges]
+    ends[:, 1] += np.asarray(crack.shifts) * period
+    around = widths.max(axis=1, initial=0)[:, None] / 2
+    first = np.ceil((shown[0] - ends.max(axis=1) - around) / period)
+    last = np.floor((shown[1] - ends.min(axis=1) + around) / period)
+    across, up = np.maximum(last - first + 1, 0).T
+    count = float((across * up).sum())
+    if count > MAX_COPIES:
+        wanted = f"at most {MAX_COPIES} are drawn: smaller bounds are wanted"
+        raise ValueError(f"bounds show {count:.0f} edges of copies of one period; {wanted}")
+    row = np.repeat(np.arange(len(edges)), (across * up).astype(np.int64))
+    copy = np.arange(len(row)) - np.repeat(np.cumsum(across * up) - across * up, (across * up).astype(np.int64))
+    turns = first[row] + np.column_stack([copy % across[row], copy // across[row]])
+    places = (ends[row] + (turns * period)[:, None]).reshape(-1, 2)
+    return places, np.arange(2 * len(row), dtype=np.int32).reshape(-1, 2), widths[row]
 
 
 def _bounds(
