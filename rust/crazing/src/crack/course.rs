@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use super::fence::{Fence, FenceView};
-use super::hooks::part;
+use super::hooks::apart;
 use super::net::{Ends, NONE, Net, NetView};
 use super::pattern::{Pattern, finished};
 use super::roughen::{Chains, Roughness, Trace, trace};
@@ -75,10 +75,13 @@ pub fn course(
         stage.partner = paired(stage.net(), ends, sharpest).into();
         stage.age = Cow::default();
     }
-    drop(ends);
-    if let Some(turn) = how.hooks {
-        let parted = part(stage.net(), &stage.partner, stage.fence(), &stage.age, turn, watch)?;
-        stage = Stage::owning(parted.net, parted.fence, parted.partner, parted.age);
+    match how.hooks {
+        Some(turn) => {
+            let ends = ends.unwrap_or_else(|| Ends::of(stage.net()));
+            let parted = apart(stage.net(), ends, &stage.partner, stage.fence(), &stage.age, turn, watch)?;
+            stage = Stage::owning(parted.net, parted.fence, parted.partner, parted.age);
+        }
+        None => drop(ends),
     }
     watch.poll()?;
     if let Some((amplitude, key)) = how.warp {

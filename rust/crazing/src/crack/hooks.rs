@@ -2,14 +2,14 @@
 
 use super::aged::Aged;
 use super::fence::{Fence, FenceView};
-use super::net::{Ends, NONE, Net, NetView};
+use super::net::{self, Ends, NONE, Net, NetView};
 use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::watch::Watch;
 
 /// A crack is looked at over its reach, and over these parts of it: one that turns back and forth within the reach comes
 /// out straight over all of it.
-const SCALES: [f64; 3] = [1.0, 0.5, 0.25];
+const PARTS: [f64; 3] = [0.25, 0.5, 1.0];
 
 /// Which edges stay when cracks are parted where they turn back; `partner` is what [`super::pairs`] gives.
 ///
@@ -24,64 +24,103 @@ const SCALES: [f64; 3] = [1.0, 0.5, 0.25];
 /// # Source
 /// Ours: cracks that run side by side overlap with free tips.
 pub fn parted(net: NetView<'_>, partner: &[i32], sharpest: f64, reach: f64, watch: Watch<'_>) -> Result<Vec<bool>> {
-    Ok(Parting::of(net, partner, [sharpest, reach], watch)?.stays)
+    Ok(Parting::of(net, Ends::of(net), partner, [sharpest, reach], watch)?.stays)
 }
 
 /// A drawing while its cracks are parted.
 struct Parting<'a> {
     net: NetView<'a>,
+    reach: f64,
+    /// From the first end of each edge to the second, and its length.
+    spans: Vec<(Point, f64)>,
     ends: Ends,
     partner: Vec<i32>,
     stays: Vec<bool>,
     degrees: Vec<u32>,
+    /// Ends, at vertices that cracks pass, whose turns are to be looked at; of a pair the lower one.
+    suspects: Vec<u32>,
 }
 
 impl<'a> Parting<'a> {
     /// See [`parted`].
-    fn of(net: NetView<'a>, partner: &[i32], [sharpest, reach]: [f64; 2], watch: Watch<'_>) -> Result<Self> {
+    fn of(net: NetView<'a>, ends: Ends, partner: &[i32], turn: [f64; 2], watch: Watch<'_>) -> Result<Self> {
+        let [sharpest, reach] = turn;
         for (name, value) in [("hairpin", sharpest), ("reach", reach)] {
             if !(value.is_finite() && value >= 0.0) {
                 return Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" });
             }
         }
-        let limit = -libm::cos(sharpest.min(std::f64::consts::PI));
+        let limit = if sharpest < std::f64::consts::PI { -libm::cos(sharpest) } else { f64::INFINITY };
         let mut parting = Self {
             net,
-            ends: Ends::of(net),
+            reach,
+            spans: (0..net.edges.len()).map(|edge| (net.along(2 * edge as u32), net.length(edge))).collect(),
+            ends,
             partner: partner.to_vec(),
             stays: vec![true; net.edges.len()],
             degrees: net.degrees(),
+            suspects: (0..partner.len() as u32).filter(|&end| partner[end as usize] > end as i32).collect(),
         };
-        loop {
-            let mut hooks = Vec::new();
-            for a in 0..parting.partner.len() as u32 {
-                watch.poll_at(a as usize)?;
-                let Ok(b) = u32::try_from(parting.partner[a as usize]) else { continue };
-                // Each pair once; what is cut goes on outside.
-                if a < b && !net.cut[net.vertex(a)] {
-                    hooks.extend(Some((parting.cosine(a, b, reach), a, b)).filter(|&(cosine, ..)| cosine > limit));
-                }
+        let mut hooks = Vec::new();
+        while !parting.suspects.is_empty() {
+            for (step, a) in std::mem::take(&mut parting.suspects).into_iter().enumerate() {
+                watch.poll_at(step)?;
+                // What is cut goes on outside.
+                let other = u32::try_from(parting.partner[a as usize]).ok();
+                let pair = other.filter(|&b| a < b && !net.cut[net.vertex(a)]);
+                let hook = pair.map(|b| (parting.cosine(a, b), a, b));
+                hooks.extend(hook.filter(|&(cosine, ..)| cosine > limit));
             }
             hooks.sort_by(|p, q| q.0.total_cmp(&p.0).then(p.1.cmp(&q.1)));
-            if hooks.is_empty() {
-                return Ok(parting);
-            }
-            for (_, a, b) in hooks {
+            for (_, a, b) in hooks.drain(..) {
                 // A gap that was made since may have left no turn.
-                if parting.partner[a as usize] == b as i32 && parting.cosine(a, b, reach) > limit {
+                if parting.partner[a as usize] == b as i32 && parting.cosine(a, b) > limit {
                     parting.part(a, b);
                 }
             }
+            parting.suspects.sort_unstable();
+            parting.suspects.dedup();
         }
+        Ok(parting)
     }
 
     /// The largest cosine between the ways on both sides of a vertex.
-    fn cosine(&self, a: u32, b: u32, reach: f64) -> f64 {
-        let between = |part: f64| {
-            let [a, b] = [a, b].map(|end| way(self.net, &self.partner, end, part * reach));
-            cosine(a, b)
-        };
-        SCALES.map(between).into_iter().fold(-1.0, f64::max)
+    fn cosine(&self, a: u32, b: u32) -> f64 {
+        let (first, second) = (self.ways(a), self.ways(b));
+        first.into_iter().zip(second).map(|(a, b)| cosine(a, b)).fold(-1.0, f64::max)
+    }
+
+    /// Ends by which edges are entered, from one along its crack for the reach, each with the run before it.
+    fn along(&self, end: u32) -> impl Iterator<Item = (u32, f64)> {
+        let (mut next, mut run, mut steps) = (end as i32, 0.0, 0);
+        std::iter::from_fn(move || {
+            // A crack in a ring ends where it began.
+            if next == NONE || run >= self.reach.max(f64::MIN_POSITIVE) || steps > self.spans.len() {
+                return None;
+            }
+            let found = (next as u32, run);
+            run += self.spans[next as usize / 2].1;
+            steps += 1;
+            next = self.partner[(next ^ 1) as usize];
+            Some(found)
+        })
+    }
+
+    /// From an end to the places at all parts of the reach along its crack, or to where it ends.
+    fn ways(&self, end: u32) -> [Point; PARTS.len()] {
+        let (mut at, mut ways, mut found) = ([0.0; 2], [[0.0; 2]; PARTS.len()], 0);
+        for (entry, run) in self.along(end) {
+            let (step, length) = self.spans[entry as usize / 2];
+            let step = if entry.is_multiple_of(2) { step } else { step.map(|part| -part) };
+            while found < PARTS.len() && self.reach > 0.0 && run + length > PARTS[found] * self.reach {
+                let part = (PARTS[found] * self.reach - run) / length;
+                ways[found] = [0, 1].map(|i| at[i] + part * step[i]);
+                found += 1;
+            }
+            at = [0, 1].map(|i| at[i] + step[i]);
+        }
+        ways[found..].fill(at);
+        ways
     }
 
     /// Leaves out the shorter of two edges where no other meets them; where one does, the cracks end.
@@ -89,21 +128,33 @@ impl<'a> Parting<'a> {
         let net = self.net;
         if self.degrees[net.vertex(a)] > 2 {
             [self.partner[a as usize], self.partner[b as usize]] = [NONE; 2];
+            [a, b].into_iter().for_each(|end| self.suspect(end));
             return;
         }
-        let end = if net.length(a as usize / 2) <= net.length(b as usize / 2) { a } else { b };
+        let end = if self.spans[a as usize / 2].1 <= self.spans[b as usize / 2].1 { a } else { b };
         self.stays[end as usize / 2] = false;
-        for end in [end, end ^ 1] {
-            let other = std::mem::replace(&mut self.partner[end as usize], NONE);
-            if let Ok(other) = usize::try_from(other) {
-                self.partner[other] = NONE;
-            }
-            let vertex = net.vertex(end);
+        let others = [end, end ^ 1].map(|end| std::mem::replace(&mut self.partner[end as usize], NONE));
+        for other in others.into_iter().filter_map(|other| u32::try_from(other).ok()) {
+            self.partner[other as usize] = NONE;
+            self.suspect(other);
+        }
+        for vertex in [end, end ^ 1].map(|end| net.vertex(end)) {
             self.degrees[vertex] -= 1;
             let mut left = self.ends.at(vertex).iter().copied().filter(|&end| self.stays[end as usize / 2]);
             if let (2, Some(a), Some(b)) = (self.degrees[vertex], left.next(), left.next()) {
                 [self.partner[a as usize], self.partner[b as usize]] = [b as i32, a as i32];
+                self.suspects.push(a.min(b));
+                [a, b].into_iter().for_each(|end| self.suspect(end));
             }
+        }
+    }
+
+    /// What lies within reach along the crack from an end turns otherwise now.
+    fn suspect(&mut self, end: u32) {
+        let entries: Vec<u32> = self.along(end).map(|(entry, _)| entry).collect();
+        for entry in entries {
+            let out = entry ^ 1;
+            self.suspects.extend(u32::try_from(self.partner[out as usize]).map(|other| other.min(out)));
         }
     }
 }
@@ -121,7 +172,20 @@ pub fn part(
     turn: [f64; 2],
     watch: Watch<'_>,
 ) -> Result<Aged> {
-    let Parting { stays, partner, degrees, .. } = Parting::of(net, partner, turn, watch)?;
+    apart(net, Ends::of(net), partner, fence, age, turn, watch)
+}
+
+/// The same where it is known who meets where.
+pub(super) fn apart(
+    net: NetView<'_>,
+    ends: Ends,
+    partner: &[i32],
+    fence: FenceView<'_>,
+    age: &[i32],
+    turn: [f64; 2],
+    watch: Watch<'_>,
+) -> Result<Aged> {
+    let Parting { stays, partner, degrees, .. } = Parting::of(net, ends, partner, turn, watch)?;
     let drawn: Vec<usize> = (0..stays.len()).filter(|&k| stays[k]).collect();
     let gone = (0..stays.len()).filter(|&k| !stays[k]);
     let rows: Vec<usize> = drawn.iter().copied().chain(gone).chain(stays.len()..fence.kites.len()).collect();
@@ -154,34 +218,7 @@ pub fn part(
     })
 }
 
-/// Ends by which edges are entered, from `end` along its crack for a length, each with the run before it.
-fn along(net: NetView<'_>, partner: &[i32], end: u32, reach: f64) -> impl Iterator<Item = (u32, f64)> {
-    let (mut next, mut run, mut steps) = (end as i32, 0.0, 0);
-    std::iter::from_fn(move || {
-        // A crack in a ring ends where it began.
-        if next == NONE || run >= reach.max(f64::MIN_POSITIVE) || steps > net.edges.len() {
-            return None;
-        }
-        let found = (next as u32, run);
-        run += net.length(next as usize / 2);
-        steps += 1;
-        next = partner[(next ^ 1) as usize];
-        Some(found)
-    })
-}
-
-/// From an end to the place `reach` along its crack.
-fn way(net: NetView<'_>, partner: &[i32], end: u32, reach: f64) -> Point {
-    let mut at = [0.0; 2];
-    for (entry, run) in along(net, partner, end, reach) {
-        let (step, length) = (net.along(entry), net.length(entry as usize / 2));
-        let part = if run + length > reach && reach > 0.0 { (reach - run) / length } else { 1.0 };
-        at = [0, 1].map(|i| at[i] + part * step[i]);
-    }
-    at
-}
-
 fn cosine(a: Point, b: Point) -> f64 {
-    let sizes = libm::hypot(a[0], a[1]) * libm::hypot(b[0], b[1]);
+    let sizes = net::length(a) * net::length(b);
     if sizes > 0.0 { (a[0] * b[0] + a[1] * b[1]) / sizes } else { -1.0 }
 }
