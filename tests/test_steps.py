@@ -133,22 +133,6 @@ def test_roughness_stays_put_at_nodes_and_grows_with_its_knob() -> None:
     assert winding[0] == pytest.approx(cz.PlanarGraph(drawing.vertices, drawing.edges).length)
 
 
-def test_a_crack_with_room_on_one_side_only_is_as_rough_as_others() -> None:
-    """Kept at the thin side it would run straight along it, half of its length."""
-    # Two lines side by side, with all the room above and below them.
-    lines = cz.PlanarGraph(
-        [(0, 0), (1, 0), (0, -0.004), (1, -0.004), (0, 1), (1, 1), (0, -1), (1, -1)], [(0, 1), (2, 3), (4, 5), (6, 7)]
-    )
-    drawing, off = cz.steps.draw(lines), []
-    for seed in range(20):
-        rough = cz.steps.roughen(drawing, roughness=0.05, unit=1.0, grain=0.02, rng=seed)
-        inner = rough.vertices[len(drawing.vertices) :][:63]
-        assert ((inner[:, 0] > 0) & (inner[:, 0] < 1) & (inner[:, 1] > -0.004)).all()
-        off.append(inner[:, 1])
-    assert np.std(np.stack(off)[:, 31]) > 0.015
-    assert (np.abs(off) < 0.002).mean() < 0.1
-
-
 @pytest.mark.parametrize("hurst", [0.3, 0.7, 1.0])
 def test_displacement_grows_with_length_to_the_power_of_hurst(hurst: float) -> None:
     def middle(length: float) -> float:

@@ -11,6 +11,9 @@ use crate::incidence::Incidence;
 use crate::parallel;
 use crate::watch::Watch;
 
+/// Rounds in which vertices that were held back try again: more hardly ever bring one further.
+const AGAIN: usize = 8;
+
 /// A part of the way.
 #[inline]
 fn part_of(part: f64, from: Point, to: Point) -> Point {
@@ -107,6 +110,40 @@ impl<'a> Guard<'a> {
         }
         parallel::alter_both(&mut self.points[..self.movable], &mut after, |place, &mut goal| *place = goal);
         self.goals = after;
+        Ok(())
+    }
+
+    /// Moves vertices that are not at their goals yet, in the unit of exact work, one after the other and each seeing
+    /// where all others are; and again those about one that got on.
+    ///
+    /// A vertex that neighbours hold back may go once these have gone the same way.
+    pub(super) fn settle(&mut self, goals: &[Point], watch: Watch<'_>) -> Result<()> {
+        let mut waits = parallel::map(self.movable, |vertex| self.points[vertex] != goals[vertex]);
+        let left: Vec<u32> = (0..self.movable as u32).filter(|&vertex| waits[vertex as usize]).collect();
+        if left.is_empty() {
+            return Ok(());
+        }
+        let about = self.kites_about(&left, &waits);
+        for _ in 0..AGAIN {
+            let mut has_moved = false;
+            for (i, &vertex) in left.iter().enumerate() {
+                watch.poll_at(i)?;
+                let (vertex, from) = (vertex as usize, self.points[vertex as usize]);
+                if !std::mem::take(&mut waits[vertex]) || from == goals[vertex] {
+                    continue;
+                }
+                let to = self.farthest(about.at(i), vertex, goals[vertex], |other| self.points[other]);
+                if to != from {
+                    (self.points[vertex], has_moved) = (to, true);
+                    for &corner in about.at(i).iter().flat_map(|&row| &self.fence.kites[row as usize]) {
+                        waits.get_mut(corner as usize).into_iter().for_each(|waits| *waits = true);
+                    }
+                }
+            }
+            if !has_moved {
+                break;
+            }
+        }
         Ok(())
     }
 

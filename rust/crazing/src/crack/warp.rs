@@ -7,6 +7,7 @@ use super::guard::Guard;
 use super::net::NetView;
 use crate::error::{Error, Result};
 use crate::graph::Point;
+use crate::parallel;
 use crate::rng::{Key, Rng, stream};
 use crate::watch::Watch;
 
@@ -37,14 +38,16 @@ pub fn warp(
     let (waves, arch) = (Waves::of(bounds, net.shifts.is_empty(), key), Arch::new());
     let mut guard = Guard::of(net, fence);
     watch.poll()?;
-    let goal = |guard: &Guard<'_>, vertex: usize| {
+    let goals = parallel::map(net.vertices.len(), |vertex| {
         if net.cut[vertex] {
             return guard.place(vertex);
         }
         let [x, y] = arch.dispatch(At(&waves, net.vertices[vertex]));
         guard.shoved(vertex, [amplitude * x, amplitude * y])
-    };
-    guard.advance(goal, None, watch)?;
+    });
+    guard.advance(|_, vertex| goals[vertex], None, watch)?;
+    // One that stays behind where the drawing moves as a whole is a kink.
+    guard.settle(&goals, watch)?;
     Ok(guard.into_vertices())
 }
 

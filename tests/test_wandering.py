@@ -1,0 +1,37 @@
+"""Warped and rough cracks near others: all move, and all are as rough."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import crazing as cz
+
+
+def test_a_crack_with_room_on_one_side_only_is_as_rough_as_others() -> None:
+    """Kept at the thin side it would run straight along it, half of its length."""
+    # Two lines side by side, with all the room above and below them.
+    lines = cz.PlanarGraph(
+        [(0, 0), (1, 0), (0, -0.004), (1, -0.004), (0, 1), (1, 1), (0, -1), (1, -1)], [(0, 1), (2, 3), (4, 5), (6, 7)]
+    )
+    drawing, off = cz.steps.draw(lines), []
+    for seed in range(20):
+        rough = cz.steps.roughen(drawing, roughness=0.05, unit=1.0, grain=0.02, rng=seed)
+        inner = rough.vertices[len(drawing.vertices) :][:63]
+        assert ((inner[:, 0] > 0) & (inner[:, 0] < 1) & (inner[:, 1] > -0.004)).all()
+        off.append(inner[:, 1])
+    assert np.std(np.stack(off)[:, 31]) > 0.015
+    assert (np.abs(off) < 0.002).mean() < 0.1
+
+
+def test_a_warp_leaves_few_kinks() -> None:
+    """Vertices that neighbours held back stayed where they were when these had gone."""
+    kinks, unit = [], 130**-0.5
+    for seed in range(3):
+        plain = cz.steps.split(130, jitter=0.45, bend=0.85, rng=seed)
+        moved = cz.steps.warp(plain, amplitude=0.05 * unit, rng=seed).vertices - plain.vertices
+        ends, other = plain.edges.ravel(), plain.edges[:, ::-1].ravel()
+        degrees = np.bincount(ends)
+        near = np.column_stack([np.bincount(ends, part) for part in moved[other].T]) / degrees[:, None]
+        apart = np.linalg.norm(moved - near, axis=1) / (0.05 * unit)
+        kinks.extend(apart[~plain.cut & (degrees > 1)] > 0.3)
+    assert len(kinks) > 3000 and np.mean(kinks) < 0.15
