@@ -16,15 +16,16 @@ Objective: TypeAlias = Callable[[NDArray[np.float64]], "float | NDArray[np.float
 Loss: TypeAlias = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 Progress: TypeAlias = Callable[[int, float], Any]
 
-#: Trials a generation, and the best of them that the next one is drawn about; as many are remembered in all.
-TRIALS, ELITE = 16, 4
+#: Trials a generation, and the best of them that the next one is drawn about: half, as fewer are the lucky ones of a
+#: noisy function. How many are remembered of all.
+TRIALS, ELITE, KEPT = 16, 8, 4
 #: What the spread keeps of its old self, so that one lucky generation does not end the search, and its smallest value.
-INERTIA, LEAST_SPREAD = 0.4, 0.015
+INERTIA, LEAST_SPREAD = 0.5, 0.015
 #: With a loss, so many trials of a generation are the best of so many draws by a linear model of the last trials; what
 #: holds its slopes down, and how much wider than the others these draws are.
 FORESEEN, DRAWS, RIDGE, REACH = 8, 256, 0.1, 1.5
 #: Trials that the model is of, at most.
-MEMORY = 96
+MEMORY = 320
 
 
 def minimize(
@@ -97,7 +98,7 @@ def minimize(
             seen.append((point, found))
             values[i] = found if loss is None else loss(found)
             spent += 1
-            kept = sorted([*kept, (float(values[i]), spent, point)], key=lambda each: each[:2])[:ELITE]
+            kept = sorted([*kept, (float(values[i]), spent, point)], key=lambda each: each[:2])[:KEPT]
             if progress is not None:
                 progress(spent, kept[0][0])
             if ending is not None and time.monotonic() > ending:
