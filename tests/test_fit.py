@@ -80,6 +80,13 @@ def test_a_fit_recovers_a_recipe_from_its_own_picture() -> None:
     assert score < 0.75 * thesis
 
 
+def test_a_fit_tells_short_branches_from_long_cracks() -> None:
+    true = cz.Recipe(n=150, relax=1, opening=0.9, rounds=3, slide=0.3, turn=50.0, thickness=0.06, tree="kruskal")
+    found = cz.fit(stamp(true.crack(rng=2), 400), budget=48, rng=1)
+    assert found.tree == "kruskal"
+    assert found.opening == pytest.approx(true.opening, abs=0.1)
+
+
 def test_a_seed_and_a_budget_are_a_recipe() -> None:
     mask = stamp(cz.crack(n=60, opening=0.5, rng=2), 300)
     assert cz.fit(mask, budget=3, rng=1) == cz.fit(mask, budget=3, rng=1)

@@ -22,8 +22,9 @@ from crazing.statistics import CAP, LEAST_DEVIATION, SCORED, CrackStatistics
 CROP, MOST_CROPS = 800, 3
 #: Patterns an evaluation measures; the same seeds for every recipe, so that differences are the recipes' own.
 PATTERNS = 3
-#: Stubs that a fit begins with, few: without any their length would say nothing.
-STUBS = 0.15
+#: What a fit begins with of steps that a default recipe does without: a little of each, as what there is none of
+#: shows nothing of how it would be.
+_LIKELY = {"stubs": 0.15, "patchiness": 0.4, "roughness": 0.03, "hairpin": 125.0}
 #: What a fit weighs besides what is scored: how dense and how wide cracks are.
 DENSITY = ("segment_length", "intensity", "width")
 
@@ -59,6 +60,7 @@ _AXES = (
     _Axis("slide", 0, 0.6, 0.2),
     _Axis("clamp", 0.05, 0.45, 0.2),
     _Axis("turn", 20, 120, 0.2),
+    _Axis("hairpin", 70, 180, 0.25),
     _Axis("roughness", 0, 0.12, 0.15),
     _Axis("warp", 0, 0.3, 0.15),
     _Axis("stubs", 0, 2, 0.1),
@@ -69,6 +71,9 @@ _AXES = (
     _Axis("taper", 0, 1, 0.2),
     _Axis("rounding", 0, 1, 0.25),
 )
+# Which tree: below the middle of its axis cracks are long, above it they are short and branch often.
+_TREES = ("depth-first", "kruskal")
+_BRANCHING = _Axis("tree", 0, 1, 0.5)
 _WIDTHS = ("thickness", "hierarchy", "taper")
 # The number of plates is looked for as its root over that of the guess: lengths go with the root.
 _ROOT = _Axis("n", 0.6, 1.6, 0.12)
@@ -153,8 +158,7 @@ def fit(
         return guess
     seed = _rng.generator(rng)
     trial = _Trial(guess, _axes(wanted), wanted, side, tuple(_words(seed, PATTERNS)))
-    start = np.array([0.5 if axis is _ROOT else axis.part(float(getattr(guess, axis.name))) for axis in trial.axes])
-    start[0] = _ROOT.part(1.0)
+    start = np.array([_start(axis, guess) for axis in trial.axes])
     spread = np.array([axis.spread for axis in trial.axes])
     candidates = minimize(
         trial.deviations, start, spread, budget=budget, loss=_lure, seconds=seconds, rng=seed, progress=progress
@@ -162,6 +166,13 @@ def fit(
     # By patterns that the search has not seen: the best of many is also the luckiest.
     fresh = dataclasses.replace(trial, seeds=tuple(_words(seed, 3 * PATTERNS)))
     return fresh.recipe(min(candidates, key=fresh.distance))
+
+
+def _start(axis: _Axis, guess: Recipe) -> float:
+    """Where on an axis the search begins."""
+    if axis is _BRANCHING:
+        return 0.5
+    return axis.part(1.0 if axis is _ROOT else float(getattr(guess, axis.name)))
 
 
 def _words(seed: np.random.Generator, size: int) -> list[int]:
@@ -222,7 +233,7 @@ def _guess(wanted: dict[str, tuple[float, float]], side: int) -> Recipe:
         "rounds": 3,
         "relax": 1,
         "turn": 50.0,
-        "stubs": STUBS,
+        **_LIKELY,
         **_skew(wanted),
     }
     if "width" in wanted:
@@ -246,7 +257,7 @@ def _typed(values: dict[str, float]) -> dict[str, Any]:
 def _axes(wanted: dict[str, tuple[float, float]]) -> tuple[_Axis, ...]:
     known = {field.name for field in dataclasses.fields(Recipe)}
     kept = [axis for axis in _AXES if axis.name in known and ("width" in wanted or axis.name not in _WIDTHS)]
-    return (_ROOT, *kept)
+    return (_ROOT, _BRANCHING, *kept)
 
 
 @dataclass(frozen=True)
@@ -262,7 +273,8 @@ class _Trial:
     def recipe(self, point: NDArray[np.float64]) -> Recipe:
         values = {axis.name: axis.value(float(part)) for axis, part in zip(self.axes, point, strict=True)}
         values["n"] = max(self.guess.n * values["n"] ** 2, 3)
-        return self.guess.replace(**_typed(values))
+        tree = _TREES[values.pop(_BRANCHING.name) > 0.5]
+        return self.guess.replace(tree=tree, **_typed(values))
 
     def deviations(self, point: NDArray[np.float64]) -> NDArray[np.float64]:
         """What is found less what is wanted, in deviations: every statistic of every pattern."""
