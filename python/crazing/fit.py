@@ -55,7 +55,7 @@ _AXES = (
     _Axis("relax", 0, 3, 0.3),
     _Axis("patchiness", 0, 1.6, 0.15),
     _Axis("opening", 0, 1, 0.12),
-    _Axis("rounds", 0, 6, 0.2),
+    _Axis("rounds", 1, 6, 0.2),
     _Axis("pull", 0, 1, 0.3),
     _Axis("slide", 0, 0.6, 0.2),
     _Axis("clamp", 0.05, 0.45, 0.2),
@@ -126,6 +126,10 @@ def fit(
 
     Notes
     -----
+    Recipes are mazes, of the depth-first or of Kruskal's tree. No deviation is known of a mask that is one crop: 12 %
+    of each mean stands for it, and patterns of one and the same recipe then score about 1 against one another: a recipe
+    that scores 1 against the mask is as near as its own kind.
+
     A mask of lines one pixel wide says nothing of widths: then `thickness`, `hierarchy` and `taper` stay as they are by
     default. See :func:`crazing.measure` for what is measured.
 
