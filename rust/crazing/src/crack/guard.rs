@@ -20,6 +20,12 @@ fn part_of(part: f64, from: Point, to: Point) -> Point {
     [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])]
 }
 
+/// Vertices that others may hold back, in turn, and the kites that hold each of them.
+pub(super) struct Held {
+    in_turn: Vec<u32>,
+    about: Incidence,
+}
+
 /// Vertices that move, and what keeps them from crossing.
 pub(super) struct Guard<'a> {
     fence: FenceView<'a>,
@@ -79,13 +85,14 @@ impl<'a> Guard<'a> {
     /// quarter, or not at all.
     ///
     /// Most may go whatever the others do; that is found out on all cores. The rest goes in turn, each seeing those
-    /// before it moved and those behind it not: in the order of their numbers, or by `turns` where they are given.
+    /// before it moved and those behind it not: in the order of their numbers, or by `turns` where they are given. Gives
+    /// those that went in turn.
     pub(super) fn advance(
         &mut self,
         goal: impl Fn(&Self, usize) -> Point + Sync,
         turns: Option<&[u32]>,
         watch: Watch<'_>,
-    ) -> Result<()> {
+    ) -> Result<Held> {
         let mut after = std::mem::take(&mut self.goals);
         if after.is_empty() {
             // Not grown: memory that is zero to begin with is first touched by the threads that fill it.
@@ -110,23 +117,19 @@ impl<'a> Guard<'a> {
         }
         parallel::alter_both(&mut self.points[..self.movable], &mut after, |place, &mut goal| *place = goal);
         self.goals = after;
-        Ok(())
+        Ok(Held { in_turn, about })
     }
 
-    /// Moves vertices that are not at their goals yet, in the unit of exact work, one after the other and each seeing
-    /// where all others are; and again those about one that got on.
+    /// Moves those that were held back, in the unit of exact work, one after the other and each seeing where all others
+    /// are; and again those about one that got on.
     ///
     /// A vertex that neighbours hold back may go once these have gone the same way.
-    pub(super) fn settle(&mut self, goals: &[Point], watch: Watch<'_>) -> Result<()> {
-        let mut waits = parallel::map(self.movable, |vertex| self.points[vertex] != goals[vertex]);
-        let left: Vec<u32> = (0..self.movable as u32).filter(|&vertex| waits[vertex as usize]).collect();
-        if left.is_empty() {
-            return Ok(());
-        }
-        let about = self.kites_about(&left, &waits);
+    pub(super) fn settle(&mut self, held: &Held, goals: &[Point], watch: Watch<'_>) -> Result<()> {
+        let Held { in_turn, about } = held;
+        let mut waits = vec![true; if in_turn.is_empty() { 0 } else { self.movable }];
         for _ in 0..AGAIN {
             let mut has_moved = false;
-            for (i, &vertex) in left.iter().enumerate() {
+            for (i, &vertex) in in_turn.iter().enumerate() {
                 watch.poll_at(i)?;
                 let (vertex, from) = (vertex as usize, self.points[vertex as usize]);
                 if !std::mem::take(&mut waits[vertex]) || from == goals[vertex] {

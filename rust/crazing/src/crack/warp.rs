@@ -45,9 +45,9 @@ pub fn warp(
         let [x, y] = arch.dispatch(At(&waves, net.vertices[vertex]));
         guard.shoved(vertex, [amplitude * x, amplitude * y])
     });
-    guard.advance(|_, vertex| goals[vertex], None, watch)?;
+    let held = guard.advance(|_, vertex| goals[vertex], None, watch)?;
     // One that stays behind where the drawing moves as a whole is a kink.
-    guard.settle(&goals, watch)?;
+    guard.settle(&held, &goals, watch)?;
     Ok(guard.into_vertices())
 }
 
