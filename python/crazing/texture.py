@@ -506,12 +506,11 @@ def _drawn(bounds: Any, name: str) -> Bounds:
 
 
 def _sides(names: tuple[str, ...], material: Material, crack: Any, arrays: tuple[Any, ...]) -> tuple[Any, ...]:
-    """The plates beside every edge, where a map depends on them."""
+    """The plates beside every edge where a map depends on them; else one plate, without tables."""
     differ = material.tilt or material.level or material.tint or material.curl * material.curl_spread
     if "cell" in names or (differ and not {*names} <= {"mask", "distance", "strand", "generation", "direction"}):
         return _core.plates(arrays, arguments.bounds_tuple(crack.bounds), getattr(crack, "period", None))
-    edges = len(arrays[1])
-    return np.zeros((edges, 2), dtype=np.int32), np.zeros((edges, 4)), np.zeros(1)
+    return np.empty((0, 2), dtype=np.int32), np.empty((0, 4)), np.zeros(1)
 
 
 def _scaled(material: Material, crack: Any, arrays: tuple[Any, ...]) -> dict[str, Any]:

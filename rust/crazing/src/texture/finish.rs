@@ -206,9 +206,9 @@ impl Scene<'_> {
 
     /// The plate on a side of an edge, and from its middle to a place known from the edge's first end, in pixels.
     fn on_plate(&self, edge: usize, side: usize, from_first: [f32; 2]) -> (i32, [f32; 2]) {
-        let middle = self.sides.middles[edge][side];
+        let middle = self.sides.middle(edge, side);
         let place = [from_first[0] * self.data - middle[0] as f32, from_first[1] * self.data - middle[1] as f32];
-        (self.sides.plates[edge][side], place)
+        (self.sides.plate(edge, side), place)
     }
 
     /// Signed distance to the crack where chips have widened it.

@@ -134,7 +134,7 @@ impl Scene<'_> {
     /// The plate of all pixels of a code, if it is one.
     fn plate_of_code(&self, code: u32, piece: &Piece) -> Option<i32> {
         let (edge, right) = (piece.edge as usize, (code & RIGHT) as usize);
-        let beside = Some(self.sides.plates[edge][right]);
+        let beside = Some(self.sides.plate(edge, right));
         let (Some(fans), Some(end)) = (&self.fans, behind(code, piece)) else { return beside };
         let along = if code & BEHIND_START != 0 { 0.0 } else { piece.length };
         let from_middle = [0, 1].map(|axis| {
@@ -147,7 +147,7 @@ impl Scene<'_> {
         let half = 2 * piece.edge + end as u32;
         // Left of the half-edge that leaves the first end is left of the edge; of that which leaves the second, right.
         let beyond = fans.one_sector(self.pattern.edges[edge][end], half, right == end, piece.lean.abs());
-        let plate = |half: u32| self.sides.plates[half as usize / 2][half as usize % 2];
+        let plate = |half: u32| self.sides.plate(half as usize / 2, half as usize % 2);
         beyond.and_then(|half| half.map_or(beside, |half| Some(plate(half))))
     }
 }

@@ -7,7 +7,8 @@ use crate::rng::{Key, block, open_unit, stream};
 /// What lies on either side of every edge.
 #[derive(Debug, Clone, Copy)]
 pub struct Sides<'a> {
-    /// The plates to the left and to the right of each edge, from its first end to its second.
+    /// The plates to the left and to the right of each edge, from its first end to its second. Empty, as are the
+    /// middles, where it does not matter which plate a pixel is on: all are plate 0 then.
     pub plates: &'a [[i32; 2]],
     /// From the first end of each edge to the middles of these plates, data units.
     pub middles: &'a [[[f64; 2]; 2]],
@@ -18,12 +19,24 @@ pub struct Sides<'a> {
 impl Sides<'_> {
     /// Refuses tables that do not fit the edges.
     pub(super) fn check(&self, wanted: usize) -> Result<()> {
+        let lone = self.reaches.len() == 1 && self.plates.is_empty() && self.middles.is_empty();
+        let wanted = if lone { 0 } else { wanted };
         for (array, found) in [("plates", self.plates.len()), ("middles", self.middles.len())] {
             if found != wanted {
                 return Err(Error::BadLength { array, found, wanted });
             }
         }
         check_indices("plates", self.plates, 0, self.reaches.len())
+    }
+
+    /// The plate on a side of an edge.
+    pub(super) fn plate(&self, edge: usize, side: usize) -> i32 {
+        self.plates.get(edge).map_or(0, |beside| beside[side])
+    }
+
+    /// From the first end of an edge to the middle of the plate on a side, data units.
+    pub(super) fn middle(&self, edge: usize, side: usize) -> [f64; 2] {
+        self.middles.get(edge).map_or([0.0; 2], |beside| beside[side])
     }
 }
 
