@@ -124,29 +124,39 @@ def _plain(rings: list[Ring]) -> list[Ring]:
 
 def _scaled(rings: list[Ring]) -> tuple[list[Ring], int]:
     """The rings over a power of two, where products of coordinates neither overflow nor vanish; and its exponent."""
-    largest = max(float(np.abs(ring).max()) for ring in rings)
-    exponent = int(np.frexp(largest)[1])
+    exponent = int(np.frexp(max(map(_largest, rings)))[1])
     if abs(exponent) < PLAIN:
         return rings, 0
     return [np.ldexp(ring, -exponent) for ring in rings], exponent
 
 
+def _largest(ring: Ring) -> float:
+    return max(float(ring.max()), -float(ring.min()))
+
+
 def _opened(ring: Ring) -> Ring:
     """The ring without repeated points."""
-    if not np.isfinite(ring).all():
+    if len(ring) and not np.isfinite(_largest(ring)):
         raise CrazingError("a ring of the polygon holds nan or infinity; every coordinate must be finite")
-    differs = ring != np.concatenate([ring[-1:], ring[:-1]])
-    is_new = differs[:, 0] | differs[:, 1]
+    is_new = np.empty(len(ring), dtype=bool)
+    is_new[:1] = (ring[:1] != ring[-1:]).any()
+    differs = ring[1:] != ring[:-1]
+    np.logical_or(differs[:, 0], differs[:, 1], out=is_new[1:])
     ring = ring if is_new.all() else ring[is_new]
     if len(ring) < 3:
         raise DegenerateInputError(f"a ring of the polygon has {len(ring)} distinct points; at least 3 are wanted")
-    (scaled,), _ = _scaled([ring])
-    away = scaled - scaled[0]
-    along = away[np.abs(away).argmax() // 2]
     # Nearly always the first few points tell.
-    if not any((part[:, 0] * along[1] != part[:, 1] * along[0]).any() for part in (away[:FEWEST], away)):
+    if _is_straight(ring[:FEWEST]) and _is_straight(ring):
         raise DegenerateInputError("a ring of the polygon has no area")
     return ring
+
+
+def _is_straight(points: Ring) -> bool:
+    """Whether all lie on one line, as far as products of floats tell."""
+    (scaled,), _ = _scaled([points])
+    away = scaled - scaled[0]
+    along = away[np.abs(away).argmax() // 2]
+    return not bool((away[:, 0] * along[1] != away[:, 1] * along[0]).any())
 
 
 def _checked(spacing: float, length: float, exponent: int) -> float:
@@ -179,15 +189,19 @@ def _spacings(rings: list[Ring], apart: float) -> list[float]:
 
 
 def _area(ring: Ring) -> float:
-    x, y = (ring - ring[0]).T
-    return float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) / 2)
+    x, y = np.ascontiguousarray((ring - ring[0]).T)
+    across = np.empty(len(ring))
+    across[:-1] = x[:-1] * y[1:] - y[:-1] * x[1:]
+    across[-1] = x[-1] * y[0] - y[-1] * x[0]
+    return float(across.sum() / 2)
 
 
 def _densified(ring: Ring, apart: float) -> Ring:
     """The ring with every side cut into equal parts no longer than `apart`."""
-    parts = np.maximum(np.ceil(side_lengths(ring) / apart), 1).astype(np.int64)
-    if (parts == 1).all():
+    lengths = side_lengths(ring)
+    if lengths.max() <= apart:
         return ring
+    parts = np.maximum(np.ceil(lengths / apart), 1).astype(np.int64)
     step = np.roll(ring, -1, axis=0) - ring
     side = np.repeat(np.arange(len(ring)), parts)
     share = (np.arange(len(side)) - np.repeat(np.cumsum(parts) - parts, parts)) / parts[side]

@@ -94,7 +94,10 @@ def _travelled(rings: list[Ring]) -> tuple[NDArray[np.float64], NDArray[np.float
 
 def side_lengths(ring: Ring) -> NDArray[np.float64]:
     """(k,), the length of every side of a ring, from each corner to the next."""
-    return np.asarray(np.hypot(*(np.roll(ring, -1, axis=0) - ring).T))
+    steps = np.empty_like(ring)
+    np.subtract(ring[1:], ring[:-1], out=steps[:-1])
+    np.subtract(ring[0], ring[-1], out=steps[-1])
+    return np.asarray(np.hypot(*steps.T))
 
 
 def _among(keys: NDArray[np.int64], known: NDArray[np.int64]) -> Mask:

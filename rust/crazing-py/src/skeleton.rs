@@ -102,8 +102,8 @@ pub(crate) fn sides<'py>(
     let view = arrays.view()?;
     let mask = column(&mask, "mask", view.edges.len())?;
     let (inside, crossed, residuals) = detached(py, |watch| {
-        let rings = skeleton::Rings::of(view, mask, watch)?;
-        Ok((rings.inside(watch)?, rings.walls_between().to_vec(), rings.residuals()))
+        let (rings, inside) = skeleton::Rings::with_inside(view, mask, watch)?;
+        Ok((inside, rings.walls_between().to_vec(), rings.residuals()))
     })?;
     Ok((PyArray1::from_vec(py, inside), PyArray1::from_vec(py, crossed), PyArray1::from_vec(py, residuals)))
 }

@@ -47,6 +47,24 @@ fn inside_of_nested_circles_alternates() {
 }
 
 #[test]
+fn inside_is_the_same_whether_rings_have_gaps_or_not() {
+    // More edges than one thread looks at, and fewer.
+    for count in [300, 15_000] {
+        let d = of(&family("two circles", count, 0));
+        let crust = one_step(d.view()).unwrap();
+        // A line that misses an edge has an inside, as its gap is closed, though the mask alone has none.
+        let gap = crust.iter().position(|&kept| kept).unwrap();
+        let gapped: Vec<bool> = crust.iter().enumerate().map(|(k, &kept)| kept && k != gap).collect();
+        for mask in [&crust, &gapped] {
+            let (rings, inside) = Rings::with_inside(d.view(), mask, Watch::default()).unwrap();
+            assert_eq!(rings.walls_between(), crust);
+            assert_eq!(inside, Rings::of(d.view(), mask, Watch::default()).unwrap().inside(Watch::default()).unwrap());
+            assert!(inside.iter().any(|&inside| inside));
+        }
+    }
+}
+
+#[test]
 fn edges_along_rings_are_found() {
     // Two squares, one in the other.
     let square = |r: f64| [[-r, -r], [r, -r], [r, r], [-r, r]];

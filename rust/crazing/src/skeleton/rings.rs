@@ -63,6 +63,19 @@ impl<'a> Rings<'a> {
         Ok(rings)
     }
 
+    /// The rings, and [`Rings::inside`] of them: looked for meanwhile as if no line had a gap, and again if one has.
+    ///
+    /// # Errors
+    /// [`Error::BadLength`], [`Error::Interrupted`].
+    pub fn with_inside(view: DiagramView<'a>, mask: &[bool], watch: Watch<'_>) -> Result<(Self, Vec<bool>)> {
+        fits("mask", mask, view)?;
+        let (rings, inside) =
+            parallel::join(view.edges.len(), || Self::of(view, mask, watch), || inside(view, mask, watch));
+        let rings = rings?;
+        let inside = if rings.wall == mask { inside? } else { rings.inside(watch)? };
+        Ok((rings, inside))
+    }
+
     /// The masked edges along the closed lines, and the bridges over their gaps.
     fn walls(&self, mask: &[bool], about: &Incidence, bridges: &[Bridge]) -> Vec<bool> {
         let mut wall = vec![false; self.view.edges.len()];
@@ -101,10 +114,7 @@ impl<'a> Rings<'a> {
     /// # Errors
     /// [`Error::Interrupted`].
     pub fn inside(&self, watch: Watch<'_>) -> Result<Vec<bool>> {
-        let depth = depths(self.view, &self.wall, watch)?;
-        let is_inner = |t: i32| t != -1 && depth[t as usize] % 2 == 1;
-        let duals = self.view.dual_edges.iter().zip(&self.wall);
-        Ok(duals.map(|(dual, wall)| !wall && dual.iter().all(|&t| is_inner(t))).collect())
+        inside(self.view, &self.wall, watch)
     }
 
     /// Whether a ring passes between the two ends of each dual edge: by a masked edge, or over a gap.
@@ -161,6 +171,14 @@ pub fn ring_edges(view: DiagramView<'_>, starts: &[i64]) -> Result<Vec<bool>> {
         let [a, b] = view.edges[k];
         follows(a, b) | follows(b, a)
     }))
+}
+
+/// Whether both ends of each dual edge are in triangles that an odd number of walls parts from infinity, and it is none.
+fn inside(view: DiagramView<'_>, wall: &[bool], watch: Watch<'_>) -> Result<Vec<bool>> {
+    let depth = depths(view, wall, watch)?;
+    let is_inner = |t: i32| t != -1 && depth[t as usize] % 2 == 1;
+    let duals = view.dual_edges.iter().zip(wall);
+    Ok(duals.map(|(dual, wall)| !wall && dual.iter().all(|&t| is_inner(t))).collect())
 }
 
 fn fits(array: &'static str, mask: &[bool], view: DiagramView<'_>) -> Result<()> {

@@ -4,6 +4,7 @@ use std::cell::OnceCell;
 
 use crate::diagram::{DiagramView, representatives};
 use crate::incidence::Incidence;
+use crate::parallel;
 
 /// The drawn edges of an axis, by representatives of coincident vertices. What is not drawn, for it is not kept,
 /// infinite or without length, has no ends, and is no tip.
@@ -20,11 +21,10 @@ pub(super) struct Tree {
 impl Tree {
     pub(super) fn of(view: DiagramView<'_>, axis: &[bool]) -> Self {
         let representative = representatives(view);
-        let drawn = |(&dual, &kept): (&[i32; 2], &bool)| {
-            let ends = dual.map(|t| if t == -1 { -1 } else { representative[t as usize] });
-            if kept && !ends.contains(&-1) && ends[0] != ends[1] { ends } else { [-1; 2] }
-        };
-        let duals: Vec<[i32; 2]> = view.dual_edges.iter().zip(axis).map(drawn).collect();
+        let duals = parallel::map(view.dual_edges.len().min(axis.len()), |k| {
+            let ends = view.dual_edges[k].map(|t| if t == -1 { -1 } else { representative[t as usize] });
+            if axis[k] && !ends.contains(&-1) && ends[0] != ends[1] { ends } else { [-1; 2] }
+        });
         let (mut degrees, mut last) = (vec![0; view.vertices.len()], vec![0; view.vertices.len()]);
         for (k, ends) in (0..).zip(&duals).filter(|(_, ends)| ends[0] != -1) {
             for &v in ends {
