@@ -1,12 +1,12 @@
 """How fast textures are drawn, as ratios to drawing libraries in the same run.
 
 ``python python/benchmarks/texture.py`` prints, for every size and number of tapered edges, the time of the coverage
-mask and of six maps together (mask, height, normal, distance, cell, strand) on one and on two threads, each over the
-time of every peer that is installed: tapered polygons, and plain lines of one width, anti-aliased, in one 8-bit channel
-where the library has one. Below 1 means that the texture is faster. Beside these: how much two threads gain, how the
-six maps compare with writing as many bytes, what a picture without cracks takes over that, and the time a pixel at
-several sizes. What each of the six maps costs alone, over all six together, is printed for the first number of edges
-from 100k on. A library that is not installed is named as such.
+mask and of six maps together (mask, height, normal, distance, cell, strand; also into arrays that have been used
+before) on one and on two threads, each over the time of every peer that is installed: tapered polygons, and plain
+lines of one width, anti-aliased, in one 8-bit channel where the library has one. Below 1 means that the texture is
+faster. Beside these: how much two threads gain, how the six maps compare with writing as many bytes, what a picture
+without cracks takes over that, and the time a pixel at several sizes. What each of the six maps costs alone, over all
+six together, is printed for the first number of edges from 100k on. A library that is not installed is named as such.
 """
 
 from __future__ import annotations
@@ -230,6 +230,11 @@ def rows(side: int, edges: int, repeats: int) -> list[str]:
     for threads in (1, 2):
         for name, maps in (("mask", ("mask",)), ("six", SIX)):
             jobs[name, threads] = lambda maps=maps, threads=threads: cz.texture(crack, side, maps=maps, threads=threads)
+    held = cz.texture_plan(crack, side, maps=SIX).window(0, 0, side, side)
+    for threads in (1, 2):
+        jobs["refilled", threads] = lambda threads=threads: cz.texture_plan(
+            crack, side, maps=SIX, threads=threads
+        ).window(0, 0, side, side, out=held)
     ours = {job: seconds(work, repeats) for job, work in jobs.items()}
     head = f"{side} px, {len(crack.graph.edges)} edges: "
     head += ", ".join(f"{name} on {threads}: {1000 * time:.0f} ms" for (name, threads), time in ours.items())
@@ -251,8 +256,8 @@ def rows(side: int, edges: int, repeats: int) -> list[str]:
         text = f"  mask / {name} tapers {cells[0]:.2f} {cells[1]:.2f} ({1000 * polygons:.0f} ms)"
         if plain is not None:
             strokes = seconds(plain, repeats)
-            more = [ours[job, threads] / strokes for job in ("mask", "six") for threads in (1, 2)]
-            text += f"; mask / lines {more[0]:.2f} {more[1]:.2f}, six / lines {more[2]:.2f} {more[3]:.2f}"
+            for job in ("mask", "six", "refilled"):
+                text += f"; {job} / lines {ours[job, 1] / strokes:.2f} {ours[job, 2] / strokes:.2f}"
             text += f" ({1000 * strokes:.0f} ms)"
         lines.append(text)
         if plain is not None:
