@@ -38,6 +38,10 @@ def oldest(name: str, seed: int, period: tuple[float, float] | None) -> np.ndarr
     return c.graph.vertices[np.unique(c.graph.edges[c.strand == 0])]
 
 
+#: Presets that are mazes and warped.
+WARPED = [name for name in cz.presets() if cz.preset(name).warp and cz.preset(name).generator == "maze"]
+
+
 @pytest.mark.parametrize("period", [None, (1, 1)])
 @pytest.mark.parametrize(("first", "second"), list(combinations(SPLITTING, 2)))
 def test_presets_of_one_seed_have_nothing_to_do_with_each_other(first: str, second: str, period) -> None:
@@ -47,6 +51,24 @@ def test_presets_of_one_seed_have_nothing_to_do_with_each_other(first: str, seco
         a, b = (oldest(name, seed, period) for name in (first, second))
         apart.append(np.linalg.norm(a[:, None] - b, axis=-1).min(axis=1).mean())
     assert np.median(apart) > 0.1
+
+
+def bends(name: str, seed: int) -> tuple[np.ndarray, np.ndarray]:
+    """Where the vertices of a preset are before its warp, and which way that moves them."""
+    bare = cz.preset(name).replace(stubs=0, roughness=0, rounding=0, turn=180, hairpin=180)
+    after, before = (r.crack(rng=seed).graph.vertices for r in (bare, bare.replace(warp=0)))
+    return before, after - before
+
+
+@pytest.mark.parametrize(("first", "second"), list(combinations(WARPED, 2)))
+def test_presets_of_one_seed_are_not_bent_alike(first: str, second: str) -> None:
+    """Mazes of one seed once shared the waves of their warp, whatever they were carved in."""
+    alike = []
+    for seed in range(6):
+        (here, one), (there, other) = bends(first, seed), bends(second, seed)
+        nearest = np.argmin(((here[:, None] - there) ** 2).sum(axis=-1), axis=1)
+        alike.append(np.corrcoef(one.ravel(), other[nearest].ravel())[0, 1])
+    assert np.median(alike) < 0.5
 
 
 def test_variants_differ_and_the_recipe_of_one_is_one_pattern() -> None:

@@ -21,7 +21,7 @@ SEED = 11
 def pattern(name: str) -> cz.Crack:
     """The preset's crack, on a torus where its recipe can be laid on one.
 
-    Each has a seed of its own: the same one begins all recipes of a generator with the same cracks.
+    Each has a seed of its own.
     """
     recipe, seed = cz.preset(name), SEED + cz.presets().index(name)
     try:
