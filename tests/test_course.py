@@ -29,13 +29,13 @@ def by_hand(r: cz.Recipe, points: NDArray[np.float64], where: dict, rng: int) ->
         unit = float(np.sqrt((drawing.bounds[2] - drawing.bounds[0]) * (drawing.bounds[3] - drawing.bounds[1]) / r.n))
     if r.rounds:
         drawing = cz.steps.straighten(drawing, rounds=r.rounds, pull=r.pull, slide=r.slide, clamp=r.clamp)
+    seeds = [np.random.default_rng([int(word) for word in seed.bit_generator.random_raw(2)]) for _ in range(3)]
+    if r.warp:
+        drawing = cz.steps.warp(drawing, amplitude=r.warp * unit, rng=seeds[0])
     if r.turn < 180 and r.generator == "maze":
         drawing = cz.steps.follow(drawing, turn=r.turn)
     if r.hairpin < 180 and r.generator == "maze":
         drawing = cz.steps.part(drawing, hairpin=r.hairpin, reach=HOOK * unit)
-    seeds = [np.random.default_rng([int(word) for word in seed.bit_generator.random_raw(2)]) for _ in range(3)]
-    if r.warp:
-        drawing = cz.steps.warp(drawing, amplitude=r.warp * unit, rng=seeds[0])
     if r.stubs:
         how = {"rate": r.stubs, "length": r.stub_length, "spread": r.stub_spread}
         drawing = cz.steps.stubs(drawing, unit=unit, rng=seed, **how)

@@ -36,23 +36,23 @@ class Course:
     ----------
     widths : (numbers, key)
     straight : numbers or None
-    hooks : (radians, length) or None
-    turn : radians or None
     warp : (length, key) or None
+    turn : radians or None
+    hooks : (radians, length) or None
     stubs, rough : (numbers, key) or None
     """
 
     widths: tuple[Widths, Key]
     straight: Straightening | None = None
-    hooks: tuple[float, float] | None = None
-    turn: float | None = None
     warp: tuple[float, Key] | None = None
+    turn: float | None = None
+    hooks: tuple[float, float] | None = None
     stubs: tuple[Stubs, Key] | None = None
     rough: tuple[Roughness, Key] | None = None
 
     def crack(self, drawing: Drawing) -> Crack:
         """What comes of a drawing: the same bits as step after step, without what lies between."""
-        steps = (self.straight, self.hooks, self.turn, self.warp, self.stubs, self.rough, self.widths)
+        steps = (self.straight, self.warp, self.turn, self.hooks, self.stubs, self.rough, self.widths)
         age = np.ascontiguousarray(drawing.age)
         found = _core.crack_course(drawing.net, drawing.fence, drawing.partner, age, drawing.bounds, steps)
         (vertices, edges, shifts), looks = found[:3], found[3:]

@@ -324,9 +324,9 @@ class Recipe:
         return course.Course(
             (course.widths(*looks, self.fade), keys[2]),
             straight=course.straightening(*straight) if self.rounds else None,
-            hooks=course.hooks(self.hairpin, HOOK * unit) if of_maze and self.hairpin < 180 else None,
-            turn=course.turning(self.turn) if of_maze and self.turn < 180 else None,
             warp=(number(self.warp * unit, "warp", low=0), keys[0]) if self.warp and unit else None,
+            turn=course.turning(self.turn) if of_maze and self.turn < 180 else None,
+            hooks=course.hooks(self.hairpin, HOOK * unit) if of_maze and self.hairpin < 180 else None,
             # The last of the keys is drawn here, so that no other is another without stubs.
             stubs=(course.stubbing(*stubs), _rng.key(seed)) if self.stubs and unit else None,
             rough=(course.roughness(*rough), keys[1]) if is_rough else None,

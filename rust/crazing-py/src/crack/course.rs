@@ -13,9 +13,9 @@ use crate::guard::detached;
 #[derive(FromPyObject)]
 pub(crate) struct Steps(
     Option<(u32, f64, f64, f64)>,
-    Option<[f64; 2]>,
-    Option<f64>,
     Option<(f64, Key)>,
+    Option<f64>,
+    Option<[f64; 2]>,
     Option<((f64, f64, f64, f64), Key)>,
     Option<(Rough, Key)>,
     (Widths, Key),
@@ -40,12 +40,12 @@ pub(crate) fn roughness((amplitude, hurst, unit, grain, rounding): Rough) -> Rou
 
 impl Steps {
     fn course(self) -> Course {
-        let Self(straight, hooks, turn, warp, grown, rough, (widths, key)) = self;
+        let Self(straight, warp, turn, hooks, grown, rough, (widths, key)) = self;
         Course {
             straightening: straight.map(straightening),
-            hooks,
-            turn,
             warp,
+            turn,
+            hooks,
             stubs: grown.map(|(how, key)| (stubs(how), key)),
             roughness: rough.map(|(how, key)| (roughness(how), key)),
             widths: (widths.profile(), key),

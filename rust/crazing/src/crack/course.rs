@@ -24,12 +24,12 @@ use crate::watch::Watch;
 pub struct Course {
     /// See [`super::straighten`].
     pub straightening: Option<Straightening>,
+    /// See [`warp`]: its amplitude.
+    pub warp: Option<(f64, Key)>,
     /// See [`super::pairs`]: the sharpest turn.
     pub turn: Option<f64>,
     /// See [`super::parted`]: the sharpest turn, and how far along the crack it is looked for.
     pub hooks: Option<[f64; 2]>,
-    /// See [`warp`]: its amplitude.
-    pub warp: Option<(f64, Key)>,
     /// See [`super::stubs`].
     pub stubs: Option<(Stubs, Key)>,
     /// See [`super::roughen`].
@@ -71,6 +71,10 @@ pub fn course(
     if let (Some(how), Some(ends)) = (how.straightening, &ends) {
         stage.vertices = straightened(stage.net(), ends, &stage.partner, stage.fence(), how, watch)?.into();
     }
+    // Before cracks are followed and parted: a warp bends them, and may turn them back.
+    if let Some((amplitude, key)) = how.warp {
+        stage.vertices = warp(stage.net(), stage.fence(), amplitude, bounds, key, watch)?.into();
+    }
     if let (Some(sharpest), Some(ends)) = (how.turn, &ends) {
         stage.partner = paired(stage.net(), ends, sharpest).into();
         stage.age = Cow::default();
@@ -84,9 +88,6 @@ pub fn course(
         None => drop(ends),
     }
     watch.poll()?;
-    if let Some((amplitude, key)) = how.warp {
-        stage.vertices = warp(stage.net(), stage.fence(), amplitude, bounds, key, watch)?.into();
-    }
     if let Some((how, key)) = how.stubs {
         let (net, fence, partner, age) = stage.into_owned();
         let grown = grown(net, partner, fence, bounds, how, key, watch)?;
