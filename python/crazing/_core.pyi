@@ -138,7 +138,9 @@ def crack_stubs(
 def crack_course(
     net: _Net, fence: _Fence, partner: _Ints, age: _Ints, bounds: _Bounds, steps: _Steps
 ) -> tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints, _Ints]: ...
-def crack_warp(net: _Net, fence: _Fence, amplitude: float, bounds: _Bounds, key: _Key) -> _Floats: ...
+def crack_warp(
+    net: _Net, fence: _Fence, amplitude: float, bounds: _Bounds, key: _Key
+) -> tuple[_Floats, _Floats]: ...
 def crack_split(
     bounds: _Bounds,
     on_torus: bool,

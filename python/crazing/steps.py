@@ -515,7 +515,8 @@ def warp(drawing: Drawing, *, amplitude: float, rng: RNG = None) -> Drawing:
     """
     arguments.of_kind(drawing, "drawing", Drawing)
     amplitude = arguments.number(amplitude, "amplitude", low=0)
-    return replace(drawing, vertices=_core.crack_warp(drawing.net, drawing.fence, amplitude, drawing.bounds, key(rng)))
+    vertices, anchors = _core.crack_warp(drawing.net, drawing.fence, amplitude, drawing.bounds, key(rng))
+    return replace(drawing, vertices=vertices, fence=(anchors, *drawing.fence[1:]))
 
 
 def widen(

@@ -154,10 +154,11 @@ pub(crate) fn crack_warp<'py>(
     amplitude: f64,
     bounds: [f64; 4],
     key: Key,
-) -> PyResult<Table<'py, f64>> {
+) -> PyResult<(Table<'py, f64>, Table<'py, f64>)> {
     let net = net.view()?;
     let fence = fence.view(net)?;
-    table(py, detached(py, |watch| crack::warp(net, fence, amplitude, bounds, key, watch))?)
+    let (vertices, anchors) = detached(py, |watch| crack::warp(net, fence, amplitude, bounds, key, watch))?;
+    Ok((table(py, vertices)?, table(py, anchors)?))
 }
 
 /// A density as the face passes it: pixels, and their bounds.

@@ -6,8 +6,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use crazing::crack::{
-    Profile, Roughness, Splitting, Straightening, Stubs, pairs, roughen, split, straighten, strands, stubs, warp,
-    widths, within,
+    FenceView, Profile, Roughness, Splitting, Straightening, Stubs, pairs, roughen, split, straighten, strands, stubs,
+    warp, widths, within,
 };
 use crazing::diagram::diagram;
 use crazing::{Watch, sample};
@@ -46,8 +46,10 @@ fn main() {
     (net.vertices, _) =
         timed("straighten", unit, || straighten(walls.net.view(), &partner, fence, how, watch).unwrap());
     let straight = net.clone();
-    (net.vertices, _) =
+    let (bent, _) =
         timed("warp", unit, || warp(straight.view(), fence, 0.035 * spacing, bounds, [3, 4], watch).unwrap());
+    net.vertices = bent.0;
+    let fence = FenceView { anchors: &bent.1, ..fence };
     let how = Stubs { rate: 0.5 / spacing, length: 0.37 * spacing, spread: 0.06, lean: 0.14 };
     let (grown, _) = timed("stubs", unit, || stubs(net.view(), &partner, fence, bounds, how, [5, 6], watch).unwrap());
     let how = Roughness { amplitude: 0.01, hurst: 0.7, unit: spacing, grain: 0.2 * spacing, rounding: 0.0 };

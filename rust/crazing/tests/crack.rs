@@ -4,7 +4,7 @@
 mod drawings;
 mod families;
 
-use crazing::crack::{Profile, looks, pairs, straighten, strands, warp, widths};
+use crazing::crack::{Fence, Profile, looks, pairs, straighten, strands, warp, widths};
 use crazing::{Point, Watch};
 use drawings::*;
 use proptest::prelude::*;
@@ -23,8 +23,9 @@ proptest! {
         prop_assert_eq!(crossings(net.view()), 0);
         prop_assert!(paves(net.view(), &fence));
         let bent = warp(net.view(), fence.view(), unit(bounds, n), bounds, [seed, 4], Watch::default()).unwrap();
-        let net = moved(&net, bent);
+        let (net, fence) = (moved(&net, bent.0), Fence { anchors: bent.1, ..fence });
         prop_assert_eq!(crossings(net.view()), 0);
+        prop_assert!(paves(net.view(), &fence));
         let grown = stubs_of(&net, &partner, &fence, bounds, unit(bounds, n), seed);
         prop_assert_eq!(crossings(grown.net.view()), 0);
         prop_assert!(paves(grown.net.view(), &grown.fence));
@@ -41,7 +42,7 @@ proptest! {
         let (net, fence) = (walls.net, walls.fence);
         let partner = pairs(net.view(), std::f64::consts::PI);
         let straight = straighten(net.view(), &partner, fence.view(), HARD, Watch::default()).unwrap();
-        let bent = warp(net.view(), fence.view(), unit(bounds, n), bounds, [seed, 4], Watch::default()).unwrap();
+        let (bent, _) = warp(net.view(), fence.view(), unit(bounds, n), bounds, [seed, 4], Watch::default()).unwrap();
         let rough = rough_of(&net, &partner, &fence, unit(bounds, n), seed);
         for (vertex, degree) in net.view().degrees().into_iter().enumerate() {
             let before = net.vertices[vertex];
@@ -140,7 +141,7 @@ fn a_vertex_that_happens_to_lie_on_the_bounds_stays_there() {
         let on_side = |p: &Point| (0..2).any(|i| p[i] == bounds[i] || p[i] == bounds[i + 2]);
         assert!(walls.net.vertices.iter().zip(&walls.net.cut).all(|(p, &cut)| cut == on_side(p)));
         let (net, fence) = (walls.net, walls.fence);
-        let bent = warp(net.view(), fence.view(), 1.0, bounds, [seed, 4], Watch::default()).unwrap();
+        let (bent, _) = warp(net.view(), fence.view(), 1.0, bounds, [seed, 4], Watch::default()).unwrap();
         assert_eq!(crossings(moved(&net, bent).view()), 0);
     }
 }

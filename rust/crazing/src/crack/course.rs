@@ -73,7 +73,8 @@ pub fn course(
     }
     // Before cracks are followed and parted: a warp bends them, and may turn them back.
     if let Some((amplitude, key)) = how.warp {
-        stage.vertices = warp(stage.net(), stage.fence(), amplitude, bounds, key, watch)?.into();
+        let (vertices, anchors) = warp(stage.net(), stage.fence(), amplitude, bounds, key, watch)?;
+        (stage.vertices, stage.anchors) = (vertices.into(), anchors.into());
     }
     if let (Some(sharpest), Some(ends)) = (how.turn, &ends) {
         stage.partner = paired(stage.net(), ends, sharpest).into();

@@ -1,6 +1,7 @@
 //! Moving vertices behind a fence.
 
 mod clear;
+mod sweep;
 
 use super::fence::FenceView;
 use super::net::{NONE, NetView};
@@ -61,14 +62,23 @@ impl<'a> Guard<'a> {
         parallel::map(self.movable, |vertex| self.points[vertex])
     }
 
+    pub(super) fn scale(&self) -> Scale {
+        self.scale
+    }
+
     pub(super) fn period(&self) -> Point {
         self.period
     }
 
     /// Positions of the vertices in the unit of the drawing.
-    pub(super) fn into_vertices(self) -> Vec<Point> {
-        let Self { mut points, movable, scale, .. } = self;
-        points.truncate(movable);
+    pub(super) fn into_vertices(mut self) -> Vec<Point> {
+        self.points.truncate(self.movable);
+        self.into_points()
+    }
+
+    /// Positions of the vertices, then of the anchors.
+    pub(super) fn into_points(self) -> Vec<Point> {
+        let Self { mut points, scale, .. } = self;
         if !scale.is_one() {
             parallel::alter(&mut points, |p| *p = scale.up(*p));
         }

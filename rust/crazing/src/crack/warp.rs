@@ -16,10 +16,11 @@ const WAVES: usize = 12;
 /// The shortest wave, as a part of the box: this many fit into its longer side.
 const SHORTEST: f64 = 6.0;
 
-/// The vertices of a drawing after a smooth warp of `amplitude` (standard deviation, data units) over `bounds`.
+/// The vertices of a drawing, and the anchors of its fence, after a smooth warp of `amplitude` (standard deviation, data
+/// units) over `bounds`.
 ///
-/// A sum of waves, longer ones higher; on a torus whole waves fit the period. Cut ends stay, and no move lets edges
-/// cross, see [`super::Fence`].
+/// A sum of waves, longer ones higher; on a torus whole waves fit the period. Cut ends stay, and no edges cross, see
+/// [`super::Fence`]: anchors move where triangles would be turned over about them.
 ///
 /// # Errors
 /// [`Error::BadValue`], [`Error::Interrupted`].
@@ -30,25 +31,37 @@ pub fn warp(
     bounds: [f64; 4],
     key: Key,
     watch: Watch<'_>,
-) -> Result<Vec<Point>> {
+) -> Result<(Vec<Point>, Vec<Point>)> {
     if !(amplitude.is_finite() && amplitude >= 0.0) {
         let wanted = "a finite number of at least 0 is wanted";
         return Err(Error::BadValue { name: "warp", value: amplitude, wanted });
     }
-    let (waves, arch) = (Waves::of(bounds, net.shifts.is_empty(), key), Arch::new());
+    let on_torus = !net.shifts.is_empty();
+    let (waves, arch) = (Waves::of(bounds, !on_torus, key), Arch::new());
     let mut guard = Guard::of(net, fence);
     watch.poll()?;
-    let goals = parallel::map(net.vertices.len(), |vertex| {
-        if net.cut[vertex] {
-            return guard.place(vertex);
-        }
-        let [x, y] = arch.dispatch(At(&waves, net.vertices[vertex]));
-        guard.shoved(vertex, [amplitude * x, amplitude * y])
+    let step = |place: Point| arch.dispatch(At(&waves, place)).map(|part| amplitude * part);
+    let goals = parallel::map(net.vertices.len() + fence.anchors.len(), |point| match net.cut.get(point) {
+        Some(false) => guard.shoved(point, step(net.vertices[point])),
+        _ => guard.place(point),
     });
-    let held = guard.advance(|_, vertex| goals[vertex], None, watch)?;
-    // One that stays behind where the drawing moves as a whole is a kink.
-    guard.settle(&held, &goals, watch)?;
-    Ok(guard.into_vertices())
+    let [xmin, ymin, xmax, ymax] = bounds;
+    let is_within = |[x, y]: Point| on_torus || (x > xmin && x < xmax && y > ymin && y < ymax);
+    let scale = guard.scale();
+    guard.sweep(
+        goals,
+        net.cut,
+        |corner| {
+            let place = fence.anchors[corner - net.vertices.len()];
+            let [x, y] = step(place);
+            let there = [place[0] + x, place[1] + y];
+            (is_within(place) && is_within(there)).then(|| scale.down(there))
+        },
+        watch,
+    )?;
+    let mut vertices = guard.into_points();
+    let anchors = vertices.split_off(net.vertices.len());
+    Ok((vertices, anchors))
 }
 
 /// Waves over a box.

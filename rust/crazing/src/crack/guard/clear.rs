@@ -11,6 +11,12 @@ const FLAT: f64 = 1e-9;
 /// A sum of two products above this part of their sizes has the sign it seems to have.
 const SURE: f64 = 16.0 * f64::EPSILON;
 
+/// The least area that triangles with these corners may get.
+pub(super) fn floor([a, b, c]: [Point; 3]) -> f64 {
+    let square = |p: Point, q: Point| (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
+    FLAT * square(a, b).max(square(b, c)).max(square(c, a))
+}
+
 impl Guard<'_> {
     /// How far towards `to` a vertex may go while the others are where `now` says.
     pub(super) fn farthest(&self, about: &[u32], vertex: usize, to: Point, now: impl Fn(usize) -> Point) -> Point {
@@ -80,7 +86,7 @@ impl Guard<'_> {
 
     /// Whether both triangles of a kite are far from flat after a move: most are, and then no exact arithmetic is needed.
     #[inline]
-    fn is_clear(&self, row: usize, vertex: i32, to: Point, now: impl Fn(usize) -> Point) -> bool {
+    pub(super) fn is_clear(&self, row: usize, vertex: i32, to: Point, now: impl Fn(usize) -> Point) -> bool {
         let kite = self.fence.kites[row];
         if kite[2] < 0 || kite[3] < 0 {
             return false;
@@ -110,15 +116,13 @@ impl Guard<'_> {
         let point = |i: usize| now(kite[i] as usize);
         let after = triangle.map(|i| self.moved(row, i, if kite[i] == vertex as i32 { to } else { point(i) }));
         let [a, b, c] = after;
-        let square = |p: Point, q: Point| (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
-        let floor = FLAT * square(a, b).max(square(b, c)).max(square(c, a));
         let area = orientation(a, b, c);
         let before = triangle.map(|i| self.moved(row, i, point(i)));
-        area > 0.0 && (area >= floor || area >= orientation(before[0], before[1], before[2]))
+        area > 0.0 && (area >= floor(after) || area >= orientation(before[0], before[1], before[2]))
     }
 
     #[inline]
-    fn moved(&self, row: usize, corner: usize, p: Point) -> Point {
+    pub(super) fn moved(&self, row: usize, corner: usize, p: Point) -> Point {
         match self.fence.shifts.get(row) {
             Some(shift) if corner > 0 => {
                 let turn = |i: usize| f64::from(shift[2 * (corner - 1) + i]) * self.period[i];
