@@ -66,6 +66,9 @@ class Material:
         Inside the cracks.
     dirt, dirt_amount, dirt_width : colour, float, float
         What has settled beside the cracks, how much, and over which width, in plates.
+    dirt_taper : float
+        How far that width follows the crack's own: 0 along all cracks alike, 1 in proportion to their width; as given
+        along the pattern's wide ones.
     debris : float
         How much of it lies inside the cracks, here and there.
     worn, wear, wear_width : colour, float, float
@@ -103,6 +106,7 @@ class Material:
     dirt: Color = "#6f6455"
     dirt_amount: float = 0.4
     dirt_width: float = 0.12
+    dirt_taper: float = 0.0
     debris: float = 0.0
     worn: Color = "#f4f0e6"
     wear: float = 0.2

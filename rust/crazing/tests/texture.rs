@@ -66,6 +66,7 @@ fn material() -> Material {
         dirt: [90, 70, 50],
         dirt_amount: 0.5,
         dirt_width: 0.05,
+        dirt_taper: 0.0,
         debris: 0.3,
         worn: [250, 250, 240],
         wear: 0.4,

@@ -6,7 +6,7 @@ use pulp::Simd;
 
 use super::grid::UNIT;
 use super::labels::Labels;
-use super::look::Place;
+use super::look::{Place, rate};
 use super::maps::{Line, Maps};
 use super::near::{BEHIND_END, BEHIND_START, CODES, RIGHT};
 use super::nearest::{PAGE, Page, Set};
@@ -218,6 +218,18 @@ impl Scene<'_> {
         distance - self.chip_depth * deep * deep
     }
 
+    /// 1 over how far what has settled beside the crack reaches at a pixel.
+    fn dirt_rate(&self, row: &Row<'_>, x: usize, distance: f32) -> f32 {
+        match (&self.dust, row.piece(x)) {
+            (Some(dust), Some(piece)) if distance < dust.most => {
+                let [dx, dy] = row.offset(x, piece);
+                rate(dust.reach(piece.edge, piece.before + piece.foot(dx, dy).s))
+            }
+            (Some(dust), _) => rate(dust.most),
+            (None, _) => self.look.dirt_rate,
+        }
+    }
+
     /// Colour, roughness and wear of a row.
     fn tones(&self, row: &Row<'_>, rows: &Rows, maps: &mut Maps<'_>) {
         let tinted = self.look.tint != 0.0;
@@ -227,7 +239,8 @@ impl Scene<'_> {
             let chipped = unit(0.5 - distance);
             let crack = if self.chip_depth > 0.0 && chipped > covered { chipped } else { covered };
             let tint = if tinted { self.plate(row, x).map_or(0.0, |(plate, _)| plate.tint) } else { 0.0 };
-            let place = Place { distance, crack, tint, mottle: rows.mottle[x].value, grain: rows.grain[x].value };
+            let (mottle, grain) = (rows.mottle[x].value, rows.grain[x].value);
+            let place = Place { distance, crack, tint, dirt_rate: self.dirt_rate(row, x, distance), mottle, grain };
             if let Some(out) = stretch(&mut maps.color, row, 3) {
                 out[3 * x..3 * x + 3].copy_from_slice(&self.look.color(&place));
             }

@@ -23,7 +23,7 @@ pub(super) struct Look {
     mottle: f32,
     speckle: f32,
     dirt_amount: f32,
-    dirt_rate: f32,
+    pub(super) dirt_rate: f32,
     debris: f32,
     wear: f32,
     wear_rate: f32,
@@ -41,6 +41,8 @@ pub(super) struct Place {
     pub(super) crack: f32,
     /// The plate's own tint, -1 to 1.
     pub(super) tint: f32,
+    /// 1 over how far what has settled beside the crack reaches here, pixels.
+    pub(super) dirt_rate: f32,
     /// Noise, -1 to 1.
     pub(super) mottle: f32,
     /// Noise, -1 to 1.
@@ -69,10 +71,15 @@ fn unit(value: f32) -> f32 {
     if value > 1.0 { 1.0 } else { value }
 }
 
+/// 1 over a length, of none so much that any distance but 0 is beyond it: infinitely much would make that no number.
+pub(super) fn rate(length: f32) -> f32 {
+    if length > f32::MIN_POSITIVE { 1.0 / length } else { f32::MAX }
+}
+
 impl Look {
     /// Scales a material to pixels.
     pub(super) fn new(material: &Material, scale: f64) -> Self {
-        let rate = |length: f32| if length > 0.0 { (1.0 / (f64::from(length) * scale)) as f32 } else { f32::INFINITY };
+        let rate = |length: f32| if length > 0.0 { (1.0 / (f64::from(length) * scale)) as f32 } else { f32::MAX };
         let colors: Vec<Light> = material.plate.iter().copied().map(linear).collect();
         let step = |at: usize| {
             let place = at as f32 * (colors.len() - 1) as f32 / RAMP as f32;
@@ -112,7 +119,7 @@ impl Look {
         let at = self.tint * place.tint + self.mottle * place.mottle + self.speckle * place.grain;
         let plate = self.ramp[(unit(0.5 + 0.5 * at) * RAMP as f32 + 0.5) as usize];
         let outside = if place.distance > 0.0 { place.distance } else { 0.0 };
-        let near = unit(1.0 - outside * self.dirt_rate);
+        let near = unit(1.0 - outside * place.dirt_rate);
         let dirty = mix(plate, self.dirt, unit(self.dirt_amount * near * near * (0.75 + 0.5 * place.mottle)));
         let worn = mix(dirty, self.worn, unit(self.wear(place)));
         let littered = unit(self.debris * (0.5 + place.grain + 0.5 * place.mottle));

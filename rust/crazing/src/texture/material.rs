@@ -34,6 +34,7 @@ pub struct Material {
     pub dirt: Rgb,
     pub dirt_amount: f32,
     pub dirt_width: f32,
+    pub dirt_taper: f32,
     pub debris: f32,
     pub worn: Rgb,
     pub wear: f32,
@@ -48,10 +49,10 @@ impl Material {
     pub(super) fn check(&self) -> Result<()> {
         let Self { relief, widest, depth, roundness, rim, rim_width, chip, chip_size, curl, curl_width, .. } = *self;
         let Self { curl_spread, tilt, level, grain, grain_size, tint, mottle, mottle_size, speckle, .. } = *self;
-        let Self { dirt_amount, dirt_width, wear, wear_width, roughness, roughness_spread, .. } = *self;
+        let Self { dirt_amount, dirt_width, dirt_taper, wear, wear_width, roughness, roughness_spread, .. } = *self;
         let shape = [relief, widest, depth, roundness, rim, rim_width, chip, chip_size, curl, curl_width, curl_spread];
         let plates = [tilt, level, grain, grain_size, tint, mottle, mottle_size, speckle, dirt_amount, dirt_width];
-        let rest = [wear, wear_width, roughness, roughness_spread, self.crack_roughness, self.debris];
+        let rest = [dirt_taper, wear, wear_width, roughness, roughness_spread, self.crack_roughness, self.debris];
         let all = shape.iter().chain(&plates).chain(&rest);
         match all.copied().find(|value| !value.is_finite()) {
             Some(value) => {

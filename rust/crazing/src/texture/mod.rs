@@ -11,6 +11,7 @@ mod beneath;
 mod bins;
 mod coverage;
 mod cut;
+mod dust;
 mod extent;
 mod faces;
 mod fans;

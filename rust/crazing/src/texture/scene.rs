@@ -7,6 +7,7 @@ use pulp::Arch;
 use super::around::{LEVELS, Wanted, cut};
 use super::bands::Bands;
 use super::bins::Bins;
+use super::dust::Dust;
 use super::fans::Fans;
 use super::grid::{Grid, UNIT, Window};
 use super::look::Look;
@@ -109,6 +110,8 @@ pub(super) struct Scene<'a> {
     pub(super) far: [OnceLock<Result<Set>>; LEVELS],
     pub(super) profile: Profile,
     pub(super) look: Look,
+    /// How far dirt reaches, where that differs.
+    pub(super) dust: Option<Dust>,
     pub(super) plates: Vec<Plate>,
     /// Where there is more than one plate.
     pub(super) fans: Option<Fans>,
@@ -158,6 +161,7 @@ impl<'a> Scene<'a> {
             reach: if wants.everywhere() || !plain { f32::INFINITY } else { profile.reach.max(labels::REACH) },
             profile,
             look: Look::new(material, grid.scale),
+            dust: if maps.color.is_some() { Dust::of(&pattern, &grid, material)? } else { None },
             plates: if wants.differ(material) { plates::plates(sides.reaches, key) } else { Vec::new() },
             fans,
             grain: octaves(wants.grain(material), 0, material.grain_size, 2),
