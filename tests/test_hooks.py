@@ -88,18 +88,30 @@ def drawn(crack: cz.Crack) -> cz.steps.Drawing:
     return dataclasses.replace(cz.steps.draw(crack.graph), partner=partner)
 
 
+def turns(recipe: cz.Recipe, seed: int, spacings: float, beyond: float = 0.0) -> list[float]:
+    """How far cracks turn over so many spacings to both sides, of those so far from the middle."""
+    bare = recipe.replace(roughness=0, rounding=0)
+    # Where no crack is wider than another, one as thick as plates are apart tells how far that is.
+    even = bare.replace(thickness=1, hierarchy=0, taper=0, abutting=1, unevenness=0, fade=0)
+    pattern, reach = drawn(bare.crack(rng=seed)), spacings * even.crack(rng=seed).width.max()
+    found = []
+    for end in np.flatnonzero(pattern.partner > np.arange(len(pattern.partner))):
+        if np.hypot(*(pattern.vertices[pattern.edges.ravel()[end]] - 0.5)) >= beyond:
+            a, b = (ahead(pattern, int(first), reach) for first in (end, pattern.partner[end]))
+            found.append(180 - float(np.degrees(np.arccos(np.clip(a @ b / (np.hypot(*a) * np.hypot(*b)), -1, 1)))))
+    return found
+
+
 def test_a_warp_leaves_no_hook() -> None:
     """Cracks that were parted first and then bent came out with one in every third picture of bark."""
-    turns = []
-    for seed in range(8):
-        bent = cz.preset("bark").replace(roughness=0, rounding=0)
-        # Where no crack is wider than another, one as thick as plates are apart tells how far that is.
-        even = bent.replace(thickness=1, hierarchy=0, taper=0, abutting=1, unevenness=0)
-        pattern, reach = drawn(bent.crack(rng=seed)), 1.5 * even.crack(rng=seed).width.max()
-        for end in np.flatnonzero(pattern.partner > np.arange(len(pattern.partner))):
-            a, b = (ahead(pattern, int(first), reach) for first in (end, pattern.partner[end]))
-            turns.append(180 - np.degrees(np.arccos(np.clip(a @ b / (np.hypot(*a) * np.hypot(*b)), -1, 1))))
-    assert len(turns) > 1500 and max(turns) < 85.001
+    found = [turn for seed in range(8) for turn in turns(cz.preset("bark"), seed, 1.5)]
+    assert len(found) > 1500 and max(found) < 85.001
+
+
+def test_where_plates_are_larger_cracks_are_parted_over_a_longer_way() -> None:
+    """Far from the blow cracks made a U about several plates, wider than the reach for those in the middle."""
+    found = [turn for seed in range(8) for turn in turns(cz.preset("concrete-spall"), seed, 4, beyond=0.3)]
+    assert len(found) > 800 and np.mean(np.array(found) > 90) < 0.005
 
 
 def rows(drawing: cz.steps.Drawing, corners: np.ndarray) -> set[tuple[tuple[float, ...], ...]]:
@@ -136,7 +148,7 @@ def test_the_knob_of_a_recipe_parts_and_leaves_no_crossing() -> None:
         assert crossings(parted) == 0
 
 
-@pytest.mark.parametrize("fault", [{"hairpin": 181}, {"hairpin": -1}, {"reach": np.nan}])
+@pytest.mark.parametrize("fault", [{"hairpin": 181}, {"hairpin": -1}, {"reach": np.nan}, {"spacing": -1}])
 def test_bad_numbers_are_named(fault) -> None:
     with pytest.raises(ValueError, match=next(iter(fault))):
         cz.steps.part(cz.steps.split(5, rng=1), **{"hairpin": 90, "reach": 0.1, **fault})

@@ -39,7 +39,7 @@ _Steps: TypeAlias = tuple[
     tuple[int, float, float, float] | None,
     tuple[float, _Key] | None,
     float | None,
-    tuple[float, float] | None,
+    tuple[float, float, float] | None,
     tuple[tuple[float, float, float, float], _Key] | None,
     tuple[tuple[float, float, float, float, float], _Key] | None,
     tuple[_Widths, _Key],
@@ -125,7 +125,7 @@ def crack_widths(
 def crack_roughen(
     net: _Net, partner: _Ints, fence: _Fence, how: tuple[float, float, float, float, float], key: _Key
 ) -> tuple[_Net, _Fence, _Ints, _Ints]: ...
-def crack_part(net: _Net, fence: _Fence, partner: _Ints, age: _Ints, turn: tuple[float, float]) -> _Aged: ...
+def crack_part(net: _Net, fence: _Fence, partner: _Ints, age: _Ints, turn: tuple[float, float, float]) -> _Aged: ...
 def crack_stubs(
     net: _Net,
     fence: _Fence,
@@ -138,9 +138,7 @@ def crack_stubs(
 def crack_course(
     net: _Net, fence: _Fence, partner: _Ints, age: _Ints, bounds: _Bounds, steps: _Steps
 ) -> tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints, _Ints]: ...
-def crack_warp(
-    net: _Net, fence: _Fence, amplitude: float, bounds: _Bounds, key: _Key
-) -> tuple[_Floats, _Floats]: ...
+def crack_warp(net: _Net, fence: _Fence, amplitude: float, bounds: _Bounds, key: _Key) -> tuple[_Floats, _Floats]: ...
 def crack_split(
     bounds: _Bounds,
     on_torus: bool,

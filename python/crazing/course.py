@@ -38,7 +38,7 @@ class Course:
     straight : numbers or None
     warp : (length, key) or None
     turn : radians or None
-    hooks : (radians, length) or None
+    hooks : (radians, length, length) or None
     stubs, rough : (numbers, key) or None
     """
 
@@ -46,7 +46,7 @@ class Course:
     straight: Straightening | None = None
     warp: tuple[float, Key] | None = None
     turn: float | None = None
-    hooks: tuple[float, float] | None = None
+    hooks: tuple[float, float, float] | None = None
     stubs: tuple[Stubs, Key] | None = None
     rough: tuple[Roughness, Key] | None = None
 
@@ -84,9 +84,13 @@ def straightening(rounds: int, pull: float, slide: float, clamp: float) -> Strai
     )
 
 
-def hooks(hairpin: float, reach: float) -> tuple[float, float]:
+def hooks(hairpin: float, reach: float, spacing: float) -> tuple[float, float, float]:
     """The numbers of :func:`crazing.steps.part`."""
-    return float(np.radians(number(hairpin, "hairpin", low=0, high=180))), number(reach, "reach", low=0)
+    return (
+        float(np.radians(number(hairpin, "hairpin", low=0, high=180))),
+        number(reach, "reach", low=0),
+        number(spacing, "spacing", low=0),
+    )
 
 
 def turning(turn: float) -> float:

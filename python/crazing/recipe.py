@@ -320,13 +320,15 @@ class Recipe:
         straight = (self.rounds, self.pull, self.slide, self.clamp)
         stubs = (self.stubs, self.stub_length, unit, self.stub_spread, course.LEAN)
         rough = (self.roughness, unit, self.hurst, self.grain, self.rounding)
+        # Plates of stretched mazes are near each other in one direction and far in the other, whatever their size.
+        spacing = 0.0 if site.is_even or self.anisotropy != 1 else unit
         is_rough = bool((self.roughness or self.rounding) and unit)
         return course.Course(
             (course.widths(*looks, self.fade), keys[2]),
             straight=course.straightening(*straight) if self.rounds else None,
             warp=(number(self.warp * unit, "warp", low=0), keys[0]) if self.warp and unit else None,
             turn=course.turning(self.turn) if of_maze and self.turn < 180 else None,
-            hooks=course.hooks(self.hairpin, HOOK * unit) if of_maze and self.hairpin < 180 else None,
+            hooks=course.hooks(self.hairpin, HOOK * unit, spacing) if of_maze and self.hairpin < 180 else None,
             # The last of the keys is drawn here, so that no other is another without stubs.
             stubs=(course.stubbing(*stubs), _rng.key(seed)) if self.stubs and unit else None,
             rough=(course.roughness(*rough), keys[1]) if is_rough else None,

@@ -82,7 +82,7 @@ class Site:
                 bend=r.bend,
                 anisotropy=r.anisotropy,
                 angle=r.angle,
-                density=None if self._is_even else (self._pixels(Frame.of(box, 1.0, 0.0), seed), box),
+                density=None if self.is_even else (self._pixels(Frame.of(box, 1.0, 0.0), seed), box),
                 rng=seed,
                 **where,
             )
@@ -145,7 +145,7 @@ class Site:
             draw = sample.normal if r.sampler == "normal" else sample.laplace
             middle = np.linalg.inv(frame.matrix) @ (np.array((x, y)) - frame.centre)
             points = draw(n, loc=middle, scale=side / 8, rng=seed)
-        elif not self._is_even:
+        elif not self.is_even:
             points = sample.from_density(self._pixels(frame, seed), n, bounds=box, rng=seed)
         elif r.sampler == "poisson-disk":
             sides = (box[2] - box[0], box[3] - box[1])
@@ -160,7 +160,8 @@ class Site:
         return sample.relax(points, iterations=r.relax, bounds=box, period=period)
 
     @property
-    def _is_even(self) -> bool:
+    def is_even(self) -> bool:
+        """Whether plates are as large everywhere."""
         return self.density is None and not self.recipe.falloff and not self.recipe.patchiness
 
     def _pixels(self, frame: Frame, seed: np.random.Generator) -> NDArray[np.float64]:

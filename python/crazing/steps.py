@@ -284,7 +284,7 @@ def follow(drawing: Drawing, *, turn: float = 60.0) -> Drawing:
     return replace(drawing, partner=partner, age=np.empty(0, dtype=np.int32))
 
 
-def part(drawing: Drawing, *, hairpin: float, reach: float) -> Drawing:
+def part(drawing: Drawing, *, hairpin: float, reach: float, spacing: float = 0.0) -> Drawing:
     """Part cracks where they turn back on themselves: two free tips instead of a hook.
 
     Parameters
@@ -296,6 +296,9 @@ def part(drawing: Drawing, *, hairpin: float, reach: float) -> Drawing:
     reach : float
         How far along the crack the turn is looked for, data units; over a half and a quarter of it too, so that a
         crack that turns back twice in a short way is parted.
+    spacing : float
+        How far apart the plates are where that reach holds, data units: where they are farther apart it is longer in
+        proportion. 0, the default, is one reach everywhere.
 
     Returns
     -------
@@ -316,7 +319,7 @@ def part(drawing: Drawing, *, hairpin: float, reach: float) -> Drawing:
     3
     """
     arguments.of_kind(drawing, "drawing", Drawing)
-    turn = course.hooks(hairpin, reach)
+    turn = course.hooks(hairpin, reach, spacing)
     age = np.ascontiguousarray(drawing.age)
     net, fence, partner, age = _core.crack_part(drawing.net, drawing.fence, drawing.partner, age, turn)
     return Drawing(*net, drawing.bounds, fence, partner, age)

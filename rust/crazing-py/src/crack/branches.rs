@@ -40,12 +40,12 @@ pub(crate) fn crack_part<'py>(
     fence: FenceArrays<'py>,
     partner: PyReadonlyArray1<'py, i32>,
     age: PyReadonlyArray1<'py, i32>,
-    turn: [f64; 2],
+    turn: (f64, f64, f64),
 ) -> PyResult<AgedOut<'py>> {
     let net = net.view()?;
     let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);
     let age = ages(&age, net)?;
-    aged_out(py, detached(py, |watch| crack::part(net, partner, fence, age, turn, watch))?)
+    aged_out(py, detached(py, |watch| crack::part(net, partner, fence, age, course::turning(turn), watch))?)
 }
 
 /// The rough drawing, a fence that nothing can move behind, its partners, and the edge that each piece is of.

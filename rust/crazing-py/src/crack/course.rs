@@ -1,6 +1,6 @@
 //! All steps of a recipe in one call.
 
-use crazing::crack::{self, Course, Pattern, Roughness, Straightening, Stubs};
+use crazing::crack::{self, Course, Pattern, Roughness, Straightening, Stubs, Turning};
 use crazing::rng::Key;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -15,7 +15,7 @@ pub(crate) struct Steps(
     Option<(u32, f64, f64, f64)>,
     Option<(f64, Key)>,
     Option<f64>,
-    Option<[f64; 2]>,
+    Option<(f64, f64, f64)>,
     Option<((f64, f64, f64, f64), Key)>,
     Option<(Rough, Key)>,
     (Widths, Key),
@@ -26,6 +26,11 @@ type Rough = (f64, f64, f64, f64, f64);
 /// How straight, from what the face passes.
 pub(crate) fn straightening((rounds, pull, slide, clamp): (u32, f64, f64, f64)) -> Straightening {
     Straightening { rounds, pull, slide, clamp }
+}
+
+/// How sharply cracks may turn, from what the face passes.
+pub(crate) fn turning((sharpest, reach, spacing): (f64, f64, f64)) -> Turning {
+    Turning { sharpest, reach, spacing }
 }
 
 /// How many stubs, from what the face passes.
@@ -45,7 +50,7 @@ impl Steps {
             straightening: straight.map(straightening),
             warp,
             turn,
-            hooks,
+            hooks: hooks.map(turning),
             stubs: grown.map(|(how, key)| (stubs(how), key)),
             roughness: rough.map(|(how, key)| (roughness(how), key)),
             widths: (widths.profile(), key),

@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use super::fence::{Fence, FenceView};
-use super::hooks::apart;
+use super::hooks::{Turning, apart};
 use super::net::{Ends, NONE, Net, NetView};
 use super::pattern::{Pattern, finished};
 use super::roughen::{Chains, Roughness, Trace, trace};
@@ -28,8 +28,8 @@ pub struct Course {
     pub warp: Option<(f64, Key)>,
     /// See [`super::pairs`]: the sharpest turn.
     pub turn: Option<f64>,
-    /// See [`super::parted`]: the sharpest turn, and how far along the crack it is looked for.
-    pub hooks: Option<[f64; 2]>,
+    /// See [`super::parted`].
+    pub hooks: Option<Turning>,
     /// See [`super::stubs`].
     pub stubs: Option<(Stubs, Key)>,
     /// See [`super::roughen`].

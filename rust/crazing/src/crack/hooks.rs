@@ -11,10 +11,22 @@ use crate::watch::Watch;
 /// out straight over all of it.
 const PARTS: [f64; 3] = [0.25, 0.5, 1.0];
 
+/// How sharply cracks may turn, and over which way.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Turning {
+    /// The sharpest turn that stays, radians.
+    pub sharpest: f64,
+    /// How far along the crack it is looked for.
+    pub reach: f64,
+    /// How far apart the anchors on both sides of an edge are for which that holds: where they are farther apart, plates
+    /// are larger, and the reach longer in proportion. 0 if it is one everywhere.
+    pub spacing: f64,
+}
+
 /// Which edges stay when cracks are parted where they turn back; `partner` is what [`super::pairs`] gives.
 ///
-/// At every vertex that a crack passes the ways to the places `reach`, a half and a quarter of it along the crack on both
-/// sides are compared: where one of them turns by more than `sharpest` radians, the shorter of the two edges is left out,
+/// At every vertex that a crack passes the ways to the places a reach, a half and a quarter of it along the crack on both
+/// sides are compared: where one of them turns by more than the sharpest turn, the shorter of the two edges is left out,
 /// or, where others meet them, two cracks end there. Sharpest turns first; a crack with a gap is two. Of three edges that
 /// meet, two that stay are one crack, which is looked at again.
 ///
@@ -23,14 +35,23 @@ const PARTS: [f64; 3] = [0.25, 0.5, 1.0];
 ///
 /// # Source
 /// Ours: cracks that run side by side overlap with free tips.
-pub fn parted(net: NetView<'_>, partner: &[i32], sharpest: f64, reach: f64, watch: Watch<'_>) -> Result<Vec<bool>> {
-    Ok(Parting::of(net, Ends::of(net), partner, [sharpest, reach], watch)?.stays)
+pub fn parted(
+    net: NetView<'_>,
+    partner: &[i32],
+    fence: FenceView<'_>,
+    turn: Turning,
+    watch: Watch<'_>,
+) -> Result<Vec<bool>> {
+    Ok(Parting::of(net, Ends::of(net), partner, fence, turn, watch)?.stays)
 }
 
 /// A drawing while its cracks are parted.
 struct Parting<'a> {
     net: NetView<'a>,
-    reach: f64,
+    /// The reach of every edge, or the one of all.
+    reaches: Vec<f64>,
+    /// The longest of them.
+    farthest: f64,
     /// From the first end of each edge to the second, and its length.
     spans: Vec<(Point, f64)>,
     ends: Ends,
@@ -43,17 +64,26 @@ struct Parting<'a> {
 
 impl<'a> Parting<'a> {
     /// See [`parted`].
-    fn of(net: NetView<'a>, ends: Ends, partner: &[i32], turn: [f64; 2], watch: Watch<'_>) -> Result<Self> {
-        let [sharpest, reach] = turn;
-        for (name, value) in [("hairpin", sharpest), ("reach", reach)] {
+    fn of(
+        net: NetView<'a>,
+        ends: Ends,
+        partner: &[i32],
+        fence: FenceView<'_>,
+        turn: Turning,
+        watch: Watch<'_>,
+    ) -> Result<Self> {
+        let Turning { sharpest, reach, spacing } = turn;
+        for (name, value) in [("hairpin", sharpest), ("reach", reach), ("spacing", spacing)] {
             if !(value.is_finite() && value >= 0.0) {
                 return Err(Error::BadValue { name, value, wanted: "a finite number of at least 0 is wanted" });
             }
         }
         let limit = if sharpest < std::f64::consts::PI { -libm::cos(sharpest) } else { f64::INFINITY };
+        let reaches = reaches(net, fence, reach, spacing);
         let mut parting = Self {
             net,
-            reach,
+            farthest: reaches.iter().copied().fold(0.0, f64::max),
+            reaches,
             spans: (0..net.edges.len()).map(|edge| (net.along(2 * edge as u32), net.length(edge))).collect(),
             ends,
             partner: partner.to_vec(),
@@ -86,16 +116,21 @@ impl<'a> Parting<'a> {
 
     /// The largest cosine between the ways on both sides of a vertex.
     fn cosine(&self, a: u32, b: u32) -> f64 {
-        let (first, second) = (self.ways(a), self.ways(b));
+        let reach = self.reach(a).max(self.reach(b));
+        let (first, second) = (self.ways(a, reach), self.ways(b, reach));
         first.into_iter().zip(second).map(|(a, b)| cosine(a, b)).fold(-1.0, f64::max)
     }
 
-    /// Ends by which edges are entered, from one along its crack for the reach, each with the run before it.
-    fn along(&self, end: u32) -> impl Iterator<Item = (u32, f64)> {
+    fn reach(&self, end: u32) -> f64 {
+        self.reaches[if self.reaches.len() > 1 { end as usize / 2 } else { 0 }]
+    }
+
+    /// Ends by which edges are entered, from one along its crack for a reach, each with the run before it.
+    fn along(&self, end: u32, reach: f64) -> impl Iterator<Item = (u32, f64)> {
         let (mut next, mut run, mut steps) = (end as i32, 0.0, 0);
         std::iter::from_fn(move || {
             // A crack in a ring ends where it began.
-            if next == NONE || run >= self.reach.max(f64::MIN_POSITIVE) || steps > self.spans.len() {
+            if next == NONE || run >= reach.max(f64::MIN_POSITIVE) || steps > self.spans.len() {
                 return None;
             }
             let found = (next as u32, run);
@@ -107,13 +142,13 @@ impl<'a> Parting<'a> {
     }
 
     /// From an end to the places at all parts of the reach along its crack, or to where it ends.
-    fn ways(&self, end: u32) -> [Point; PARTS.len()] {
+    fn ways(&self, end: u32, reach: f64) -> [Point; PARTS.len()] {
         let (mut at, mut ways, mut found) = ([0.0; 2], [[0.0; 2]; PARTS.len()], 0);
-        for (entry, run) in self.along(end) {
+        for (entry, run) in self.along(end, reach) {
             let (step, length) = self.spans[entry as usize / 2];
             let step = if entry.is_multiple_of(2) { step } else { step.map(|part| -part) };
-            while found < PARTS.len() && self.reach > 0.0 && run + length > PARTS[found] * self.reach {
-                let part = (PARTS[found] * self.reach - run) / length;
+            while found < PARTS.len() && reach > 0.0 && run + length > PARTS[found] * reach {
+                let part = (PARTS[found] * reach - run) / length;
                 ways[found] = [0, 1].map(|i| at[i] + part * step[i]);
                 found += 1;
             }
@@ -151,7 +186,7 @@ impl<'a> Parting<'a> {
 
     /// What lies within reach along the crack from an end turns otherwise now.
     fn suspect(&mut self, end: u32) {
-        let entries: Vec<u32> = self.along(end).map(|(entry, _)| entry).collect();
+        let entries: Vec<u32> = self.along(end, self.farthest).map(|(entry, _)| entry).collect();
         for entry in entries {
             let out = entry ^ 1;
             self.suspects.extend(u32::try_from(self.partner[out as usize]).map(|other| other.min(out)));
@@ -159,7 +194,24 @@ impl<'a> Parting<'a> {
     }
 }
 
-/// The drawing without the edges that [`parted`] leaves out: `turn` is its sharpest turn and its reach. Their kites stay
+/// The reach of every edge, or one for all.
+fn reaches(net: NetView<'_>, fence: FenceView<'_>, reach: f64, spacing: f64) -> Vec<f64> {
+    if spacing == 0.0 {
+        return vec![reach];
+    }
+    let of_edge = |row: usize| {
+        let place = |corner: usize| {
+            let anchor = fence.anchors.get((fence.kites[row][corner] as usize).wrapping_sub(net.vertices.len()));
+            let turns = fence.shifts.get(row).map_or([0; 2], |shift| [shift[2 * corner - 2], shift[2 * corner - 1]]);
+            anchor.map(|&anchor| net.moved(anchor, turns))
+        };
+        let apart = place(2).zip(place(3)).map_or(0.0, |([x, y], [u, v])| net::length([u - x, v - y]));
+        reach * (apart / spacing).max(1.0)
+    };
+    (0..net.edges.len()).map(of_edge).collect()
+}
+
+/// The drawing without the edges that [`parted`] leaves out. Their kites stay
 /// as those of edges that are not drawn, and vertices that have no edge any more as the first anchors.
 ///
 /// # Errors
@@ -169,7 +221,7 @@ pub fn part(
     partner: &[i32],
     fence: FenceView<'_>,
     age: &[i32],
-    turn: [f64; 2],
+    turn: Turning,
     watch: Watch<'_>,
 ) -> Result<Aged> {
     apart(net, Ends::of(net), partner, fence, age, turn, watch)
@@ -182,10 +234,10 @@ pub(super) fn apart(
     partner: &[i32],
     fence: FenceView<'_>,
     age: &[i32],
-    turn: [f64; 2],
+    turn: Turning,
     watch: Watch<'_>,
 ) -> Result<Aged> {
-    let Parting { stays, partner, degrees, .. } = Parting::of(net, ends, partner, turn, watch)?;
+    let Parting { stays, partner, degrees, .. } = Parting::of(net, ends, partner, fence, turn, watch)?;
     let drawn: Vec<usize> = (0..stays.len()).filter(|&k| stays[k]).collect();
     let gone = (0..stays.len()).filter(|&k| !stays[k]);
     let rows: Vec<usize> = drawn.iter().copied().chain(gone).chain(stays.len()..fence.kites.len()).collect();

@@ -27,7 +27,7 @@ pub use aged::{Aged, stretched, trimmed};
 pub use course::{Course, course};
 pub use fence::{Fence, FenceView};
 pub use growth::arrivals;
-pub use hooks::{part, parted};
+pub use hooks::{Turning, part, parted};
 pub use impact::{Impact, impact, spokes};
 pub use net::{Net, NetView};
 pub use pattern::{Looks, Pattern, looks};
