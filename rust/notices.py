@@ -52,12 +52,10 @@ def linked(root: Path) -> list[dict[str, Any]]:
 
 
 def texts(package: dict[str, Any]) -> list[str]:
-    """The licence texts in the sources of a package, and in those of other languages that it carries along."""
+    """The licence texts in the sources of a package."""
     folder = Path(package["manifest_path"]).parent
-    files = sorted(path for path in folder.rglob("*") if path.name.lower().startswith(TEXTS) and path.suffix != ".rs")
-    found = (path.read_text(encoding="utf-8", errors="replace").strip() for path in files if path.is_file())
-    # Copies of one text differ in their line breaks.
-    return list({" ".join(text.split()): text for text in found}.values())
+    files = sorted(path for path in folder.iterdir() if path.is_file() and path.name.lower().startswith(TEXTS))
+    return [path.read_text(encoding="utf-8", errors="replace").strip() for path in files]
 
 
 def notices(root: Path) -> str:
@@ -69,6 +67,7 @@ def notices(root: Path) -> str:
         authors = ", ".join(author.partition(" <")[0] for author in package["authors"])
         lines.append(f"{name} ({package['license'] or 'see below'})" + (f", by {authors}" if authors else ""))
         for text in texts(package):
+            # Copies of one text differ in their line breaks.
             holders.setdefault(" ".join(text.split()), (text, []))[1].append(name)
     parts = [f"{'=' * 80}\n{', '.join(names)}\n\n{text}" for text, names in holders.values()]
     return "\n\n".join(["\n".join(lines), *parts]) + "\n"

@@ -18,7 +18,7 @@ from sources import face_modules, imports, rust_code, rust_files
 GROUND = {"errors", "record", "arguments", "rng", "extras"}
 TOP = {"compare", "edit", "study", "cli", "__main__", "__init__"}
 # Files of the binding that serve every noun, and the picture formats that belong to the face's files.
-BINDING_FRAME = {"lib", "arrays", "guard", "memory", "png", "tiff"}
+BINDING_FRAME = {"lib", "arrays", "guard", "png", "tiff"}
 # Where the core's word is not the user's: it rasterises what the face renders.
 CORE_WORDS = {"render": "raster"}
 
@@ -50,9 +50,7 @@ def test_core_knows_no_files_no_clock_and_no_global_random_state(root: Path) -> 
 
 def test_only_the_binding_depends_on_python(root: Path) -> None:
     binding = tomllib.loads((root / "rust" / "crazing-py" / "Cargo.toml").read_text())
-    allocator = {"mimalloc", "libmimalloc-sys"}
-    assert binding["dependencies"].keys() <= {"crazing", "numpy", "pyo3", *allocator}
-    assert naming(root / "rust" / "crazing-py" / "src", r"\bunsafe\b|\bmimalloc\b") == {"memory"}
+    assert binding["dependencies"].keys() <= {"crazing", "numpy", "pyo3"}
     assert naming(root / "rust" / "crazing-py" / "src", r"\bspade\b|\btiny_skia\b") == set()
 
 

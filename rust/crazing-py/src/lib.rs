@@ -9,7 +9,6 @@ mod graph;
 mod guard;
 mod maze;
 mod measure;
-mod memory;
 mod png;
 mod region;
 mod render;
@@ -70,7 +69,6 @@ mod _core {
     /// Names the build, so that a debug build can be told from a release.
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
-        crate::memory::keep();
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("DEBUG", cfg!(debug_assertions))
     }
