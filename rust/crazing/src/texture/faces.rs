@@ -10,7 +10,7 @@ use crate::parallel;
 use crate::watch::Watch;
 
 use super::Pattern;
-use super::rays::Rows;
+use super::walks::Walks;
 
 /// How near to the bounds a vertex lies on them, as a part of their size.
 const ON_BORDER: f64 = 1e-9;
@@ -36,22 +36,6 @@ pub(super) struct Net {
     own: usize,
 }
 
-/// Walks around faces.
-struct Walks {
-    /// The walk of every half-edge, and where in it the half-edge starts, from the start of the walk.
-    of: Vec<(usize, Point)>,
-    walks: Vec<Walk>,
-}
-
-#[derive(Debug, Clone, Copy)]
-struct Walk {
-    /// Twice its area; not positive around what floats in a face.
-    area: f64,
-    middle: Point,
-    /// The half-edge that starts farthest to the left.
-    left: usize,
-}
-
 /// The plates of a crack; `period` as for its shifts, `bounds` where there is none.
 ///
 /// # Errors
@@ -73,10 +57,6 @@ pub(super) fn add(a: Point, b: Point) -> Point {
 
 pub(super) fn less(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1]]
-}
-
-fn cross(a: Point, b: Point) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
 }
 
 /// Grows with the angle of a vector, from -2 to 2.
@@ -163,7 +143,7 @@ impl Net {
     }
 
     /// Where a half-edge starts, and its vector.
-    fn half(&self, half: usize) -> (usize, Point) {
+    pub(super) fn half(&self, half: usize) -> (usize, Point) {
         let (edge, step) = (self.edges[half / 2], self.steps[half / 2]);
         if half.is_multiple_of(2) { (edge[0], step) } else { (edge[1], [-step[0], -step[1]]) }
     }
@@ -186,77 +166,6 @@ impl Net {
         (starts, leaving)
     }
 
-    /// Walks around every face, from half-edge to half-edge.
-    fn walks(&self, after: &[usize]) -> Walks {
-        let mut walks = Walks { of: vec![(usize::MAX, [0.0; 2]); after.len()], walks: Vec::new() };
-        for first in 0..after.len() {
-            if walks.of[first].0 != usize::MAX {
-                continue;
-            }
-            let (mut half, mut at, mut area, mut sum, mut mean, mut count) =
-                (first, [0.0; 2], 0.0, [0.0; 2], [0.0; 2], 0.0);
-            let mut left = (first, at);
-            while walks.of[half].0 == usize::MAX {
-                walks.of[half] = (walks.walks.len(), at);
-                if at[0] < left.1[0] {
-                    left = (half, at);
-                }
-                let to = add(at, self.half(half).1);
-                let slice = cross(at, to);
-                (area, count) = (area + slice, count + 1.0);
-                sum = add(sum, [slice * (at[0] + to[0]), slice * (at[1] + to[1])]);
-                mean = add(mean, at);
-                (half, at) = (after[half], to);
-            }
-            let middle = if area > 0.0 { sum.map(|part| part / (3.0 * area)) } else { mean.map(|part| part / count) };
-            walks.walks.push(Walk { area, middle, left: left.0 });
-        }
-        walks
-    }
-
-    /// For every walk around something that floats the walk around the face it floats in, and where that starts.
-    fn parents(&self, walks: &Walks, watch: Watch<'_>) -> Result<Vec<Option<(usize, Point)>>> {
-        let floats = walks.walks.iter().filter(|walk| walk.area <= 0.0);
-        let rows = Rows::new(self, floats.map(|walk| self.places[self.half(walk.left).0][1]));
-        let mut parents = Vec::with_capacity(walks.walks.len());
-        for (id, walk) in walks.walks.iter().enumerate() {
-            watch.poll_at(id)?;
-            let start = walks.of[walk.left].1;
-            let hit = (walk.area <= 0.0).then(|| rows.left_of(self, self.places[self.half(walk.left).0])).flatten();
-            parents.push(hit.map(|(half, to_start)| {
-                let (parent, at) = walks.of[half];
-                // The start of the parent's walk, seen from the start of this one.
-                (parent, less(add(start, to_start), at))
-            }));
-        }
-        Ok(parents)
-    }
-
-    /// The outermost walk of every walk's face, and where that starts as seen from there.
-    fn outermost(parents: &[Option<(usize, Point)>]) -> Vec<(usize, Point)> {
-        let mut known: Vec<Option<(usize, Point)>> = vec![None; parents.len()];
-        let mut chain = Vec::new();
-        for walk in 0..parents.len() {
-            let mut at = walk;
-            while let (None, Some((parent, by))) = (known[at], parents[at]) {
-                // On a torus without any crack around it the chain may close: its first walk then speaks for all.
-                known[at] = Some((at, [0.0; 2]));
-                chain.push((at, by));
-                at = parent;
-            }
-            let mut end = *known[at].get_or_insert((at, [0.0; 2]));
-            while let Some((link, by)) = chain.pop() {
-                if link != end.0 {
-                    end = (end.0, add(end.1, by));
-                    known[link] = Some(end);
-                } else {
-                    end = (link, [0.0; 2]);
-                }
-            }
-        }
-        known.into_iter().enumerate().map(|(walk, end)| end.unwrap_or((walk, [0.0; 2]))).collect()
-    }
-
     fn number(&self, walks: &Walks, outermost: &[(usize, Point)]) -> Plates {
         let mut number = vec![-1; walks.walks.len()];
         let mut found = Plates::default();
@@ -264,18 +173,19 @@ impl Net {
         let mut see = |half: usize, found: &mut Plates| {
             let (walk, at) = walks.of[half];
             let (outer, from) = outermost[walk];
-            let floats = walks.walks[outer].area <= 0.0;
+            let shared = !walks.walks[outer].is_alone();
             if number[outer] < 0 {
-                number[outer] = outside.filter(|_| floats).unwrap_or(found.reaches.len() as i32);
+                number[outer] = outside.filter(|_| shared).unwrap_or(found.reaches.len() as i32);
                 if number[outer] as usize == found.reaches.len() {
                     found.reaches.push(0.0);
                 }
-                outside = if floats { Some(number[outer]) } else { outside };
+                outside = if shared { Some(number[outer]) } else { outside };
             }
             let middle = less(add(from, walks.walks[outer].middle), at);
             let reach = &mut found.reaches[number[outer] as usize];
             // What is not closed has no middle of its own: around a torus one that tilts would meet itself in a step.
-            let far = if floats { 0.0 } else { (middle[0] * middle[0] + middle[1] * middle[1]).sqrt() };
+            let closes = walks.walks[outer].closes;
+            let far = if closes { (middle[0] * middle[0] + middle[1] * middle[1]).sqrt() } else { 0.0 };
             *reach = reach.max(far);
             (number[outer], middle)
         };

@@ -33,6 +33,7 @@ mod rays;
 mod relief;
 mod scene;
 mod squares;
+mod walks;
 
 pub use extent::{Extent, extent};
 pub use faces::{Plates, plates};
