@@ -37,3 +37,22 @@ def test_plates_change_at_cracks_only(name, period):
             if period is None:
                 np.moveaxis(both, axis, 0)[-1] = False
             np.testing.assert_array_equal(cell[both], np.roll(cell, -1, axis)[both])
+
+
+@pytest.mark.parametrize(("sideways", "swapped"), [(0, False), (1, False), (1, True)])
+def test_strips_round_the_torus_are_two_plates(sideways, swapped):
+    """Two cracks round the torus, upright or slanting, and a piece that floats between them."""
+    vertices, shifts = [], []
+    for x in (0.2, 0.7):
+        half = x + 0.5 * sideways
+        vertices += [(x, 0.1), (half % 1, 0.6)]
+        shifts += [(int(half), 0), (sideways - int(half), 1)]
+    vertices += [(0.4 + 0.2 * sideways, 0.3), (0.5 + 0.2 * sideways, 0.3)]
+    places, turns = np.array(vertices), np.array([*shifts, (0, 0)], dtype=np.int8)
+    if swapped:
+        places, turns = places[:, ::-1].copy(), turns[:, ::-1].copy()
+    graph = cz.PlanarGraph(places, [(0, 1), (1, 0), (2, 3), (3, 2), (4, 5)])
+    rows = np.zeros(5, dtype=np.int32)
+    crack = cz.Crack(graph, np.full((5, 2), 1e-3), rows, rows, (0.0, 0.0, 1.0, 1.0), (1.0, 1.0), turns)
+    cell = cz.texture(crack, 128, maps=["cell"])["cell"]
+    assert np.bincount(cell.ravel()).tolist() == [8192, 8192]
