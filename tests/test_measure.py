@@ -203,14 +203,18 @@ def test_thinning_keeps_pieces_and_holes(mask: NDArray[np.bool_]) -> None:
 
 
 def test_skeleton_measures_as_that_of_scikit_image() -> None:
-    mask = stamp(cz.crack(n=120, opening=0.6, width=0.008, hierarchy=0, taper=0, rng=3), 700)
-    ours, theirs = cz.measure(thin(mask)), cz.measure(morphology.skeletonize(mask))
-    assert mask.sum() > 3 * thin(mask).sum()
-    assert ours.loops == pytest.approx(theirs.loops, abs=3)
-    assert ours.nodes == pytest.approx(theirs.nodes, rel=0.05)
-    assert ours.length == pytest.approx(theirs.length, rel=0.02)
-    assert ours.t_share == pytest.approx(theirs.t_share, abs=0.06)
-    assert ours.score({name: (value, 0.0) for name, value in theirs.to_dict().items()}) < 0.5
+    t_share = []
+    for seed in range(3, 7):
+        mask = stamp(cz.crack(n=120, opening=0.6, width=0.008, hierarchy=0, taper=0, rng=seed), 700)
+        ours, theirs = cz.measure(thin(mask)), cz.measure(morphology.skeletonize(mask))
+        assert mask.sum() > 3 * thin(mask).sum()
+        assert ours.loops == pytest.approx(theirs.loops, abs=3)
+        assert ours.nodes == pytest.approx(theirs.nodes, rel=0.05)
+        assert ours.length == pytest.approx(theirs.length, rel=0.02)
+        assert ours.score({name: (value, 0.0) for name, value in theirs.to_dict().items()}) < 0.5
+        t_share.append(ours.t_share - theirs.t_share)
+    # A hundred nodes, of which either skeleton puts some a pixel aside: the share of one picture moves by .06.
+    assert np.mean(t_share) == pytest.approx(0, abs=0.04)
 
 
 def test_a_mask_measures_near_its_graph() -> None:

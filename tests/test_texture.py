@@ -231,9 +231,12 @@ def test_occlusion_is_one_beside_cracks_and_less_within():
 
 
 def test_labels_are_those_of_the_nearest_edge(net):
-    t = cz.texture(net, 100, maps=["strand", "generation", "mask", "direction"])
+    t = cz.texture(net, 100, maps=["strand", "generation", "mask", "direction", "distance"])
     on = t["mask"] > 0
-    assert (t["strand"][~on] == -1).mean() > 0.999 and (t["strand"][on] >= 0).all()
+    # Wherever a crack comes within half a pixel of the centre, as far as distances in float32 tell.
+    labelled, half = t["strand"] >= 0, 0.005
+    assert labelled[on].all()
+    assert t["distance"][labelled].max() <= half * (1 + 1e-6) and t["distance"][~labelled].min() >= half * (1 - 1e-6)
     first = np.zeros(net.strand.max() + 1, dtype=int)
     first[net.strand] = net.generation
     np.testing.assert_array_equal(t["generation"][on], first[t["strand"][on]])

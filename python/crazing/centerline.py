@@ -138,11 +138,13 @@ def _opened(ring: Ring) -> Ring:
     """The ring without repeated points."""
     if len(ring) and not np.isfinite(_largest(ring)):
         raise CrazingError("a ring of the polygon holds nan or infinity; every coordinate must be finite")
-    is_new = np.empty(len(ring), dtype=bool)
-    is_new[:1] = (ring[:1] != ring[-1:]).any()
+    while len(ring) > 1 and (ring[0] == ring[-1]).all():
+        # By a slice: a ring of many points is not copied.
+        ring = ring[1:]
     differs = ring[1:] != ring[:-1]
-    np.logical_or(differs[:, 0], differs[:, 1], out=is_new[1:])
-    ring = ring if is_new.all() else ring[is_new]
+    is_new = np.logical_or(differs[:, 0], differs[:, 1])
+    if not is_new.all():
+        ring = ring[np.append(True, is_new)]
     if len(ring) < 3:
         raise DegenerateInputError(f"a ring of the polygon has {len(ring)} distinct points; at least 3 are wanted")
     # Nearly always the first few points tell.

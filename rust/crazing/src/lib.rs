@@ -24,6 +24,7 @@ pub mod raster;
 pub mod region;
 pub mod rng;
 pub mod sample;
+mod scatter;
 pub mod sets;
 pub mod skeleton;
 pub mod texture;

@@ -3,7 +3,6 @@
 use std::cell::RefCell;
 use std::ops::Range;
 use std::rc::Rc;
-use std::sync::atomic::{AtomicI32, Ordering::Relaxed};
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
@@ -104,18 +103,6 @@ pub(crate) fn fill<T: Send, R: Send>(found: &mut [T], f: impl Fn(Range<usize>, &
         |found| found.chunks_mut(SIZE).enumerate().map(|(i, found)| part(i, found)).collect(),
         |found| found.par_chunks_mut(SIZE).enumerate().map(|(i, found)| part(i, found)).collect(),
     )
-}
-
-/// Row `i` of `f` at `places[i]`, for places that are `0..places.len()` in some order.
-pub(crate) fn scatter<const N: usize>(places: &[u32], f: impl Fn(usize) -> [i32; N] + Sync + Send) -> Vec<[i32; N]> {
-    // Each is written once, by whoever comes to its row: in any order, the table is the same.
-    let slots = map(places.len(), |_| [const { AtomicI32::new(0) }; N]);
-    each(places.len(), |i| {
-        for (slot, value) in slots[places[i] as usize].iter().zip(f(i)) {
-            slot.store(value, Relaxed);
-        }
-    });
-    slots.into_iter().map(|row| row.map(AtomicI32::into_inner)).collect()
 }
 
 /// What `keep` gives of each of `0..len`, in order. It is asked twice: how many there are is not seen from outside, and
@@ -286,17 +273,6 @@ mod tests {
     /// Many in each of several.
     fn nested() -> Vec<usize> {
         several(3, |i| map(SIZES[3], |j| i * j).into_iter().sum())
-    }
-
-    #[test]
-    fn scattered_rows_stand_at_their_places() {
-        for len in SIZES {
-            // 7 divides none of the sizes, so this is a permutation.
-            let places: Vec<u32> = (0..len).map(|i| (7 * i % len) as u32).collect();
-            let found = scatter(&places, |i| [i as i32, -(i as i32)]);
-            assert_eq!(found.len(), len);
-            assert!(places.iter().enumerate().all(|(i, &at)| found[at as usize] == [i as i32, -(i as i32)]));
-        }
     }
 
     #[test]

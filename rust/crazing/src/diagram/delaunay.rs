@@ -15,6 +15,7 @@ use crate::graph::Point;
 use crate::parallel;
 use crate::predicates::orientation;
 use crate::rng::{Rng, stream};
+use crate::scatter::{scatter, scatter_both};
 use crate::watch::Watch;
 
 /// Who borders on whom, in the layout of [`super::Diagram`] with sites numbered along the curve.
@@ -66,7 +67,7 @@ impl Growing {
         Ok(())
     }
 
-    /// The numbers of all points in the order of insertion: of those given first, every first part is a random sample.
+    /// The numbers of all points in the order of insertion: of those given first, every first part holds a random sample.
     pub(super) fn sequence(&self) -> &[u32] {
         &self.sequence
     }
@@ -251,12 +252,12 @@ fn read(mesh: &impl Flat, sequence: &[u32], watch: Watch<'_>) -> Result<Topology
     let mut edge_of = lowest_ends(mesh, sequence);
     parallel::join(sites, || to_places(&mut triangle_of, sites), || to_places(&mut edge_of, sites));
     watch.poll()?;
-    let triangles = parallel::scatter(&triangle_of, |i| corners[i].map(|site| site as i32));
+    let triangles = scatter(&triangle_of, |i| corners[i].map(|site| site as i32));
     drop(corners);
-    let edges = parallel::scatter(&edge_of, |k| mesh.ends(k, sequence).map(|site| site as i32));
     watch.poll()?;
     let triangle = |face: usize| face.checked_sub(1).map_or(-1, |i| triangle_of[i] as i32);
-    let dual_edges = parallel::scatter(&edge_of, |k| mesh.sides(k).map(triangle));
+    let (edges, dual_edges) =
+        scatter_both(&edge_of, |k| (mesh.ends(k, sequence).map(|site| site as i32), mesh.sides(k).map(triangle)));
     Ok(Topology { triangles, edges, dual_edges })
 }
 
