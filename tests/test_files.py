@@ -117,6 +117,15 @@ def test_a_path_of_another_kind():
         cz.save_png(3, picture((2, 2)))
 
 
+@pytest.mark.parametrize("name", ["a.jpg", "a", ".png", "a.png.tif", "a.png "])
+def test_an_ending_of_another_format(tmp_path, name):
+    """Other programs would take the file for what its name says."""
+    with pytest.raises(ValueError, match=r"path is '.*'; an ending of \.png is wanted"):
+        cz.save_png(tmp_path / name, picture((2, 2)))
+    assert not list(tmp_path.iterdir())
+    cz.save_png(tmp_path / "A.PNG", picture((2, 2)))
+
+
 class Refusing(io.RawIOBase):
     """A file that takes some bytes at a time and then fails."""
 

@@ -128,7 +128,8 @@ def save_png(
     Parameters
     ----------
     path
-        Where to; written beside it and renamed into place, see `atomic_write`. Or a file open for binary writing.
+        Where to, ending in ``.png``; written beside it and renamed into place, see `atomic_write`. Or a file open for
+        binary writing.
     image
         (H, W) or (H, W, C) uint8 or uint16, C = 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA; straight alpha, row 0 on
         top. Booleans become 0 and 255.
@@ -142,7 +143,7 @@ def save_png(
     Raises
     ------
     TypeError, ValueError
-        For an image of another dtype or shape, or a text that a PNG cannot hold.
+        For an image of another dtype or shape, a text that a PNG cannot hold, or a path of another ending.
     OSError
         When the file cannot be written. An exception of a file object's ``write`` comes out as it is.
 
@@ -162,6 +163,8 @@ def save_png(
         raise TypeError(f"srgb is {arguments.found(srgb)}; True or False is wanted")
     about = (8 * pixels.itemsize, pairs, bool(srgb), png_density(density))
     if isinstance(path, (str, os.PathLike)):
+        if Path(path).suffix.lower() != ".png" and not _is_device(path):
+            raise ValueError(f"path is {os.fspath(path)!r}; an ending of .png is wanted")
         with atomic_write(path) as file:
             _core.encode_png(file, sample_bytes(pixels), *about)
     elif hasattr(path, "write"):

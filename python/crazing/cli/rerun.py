@@ -34,8 +34,8 @@ def command(*, file: str, output: str | None, threads: int | None, as_json: bool
         with rows() as progress:
             made = crazing.rerun(source, target, threads=threads, progress=progress)
     else:
-        if target.suffix.lower() != source.suffix.lower():
-            raise click.UsageError(f"{target} does not end in {source.suffix}, as {source} does")
+        if target.suffix.lower() != ".png":
+            raise click.UsageError(f"{target} does not end in .png, and {source} holds a PNG")
         _draw(record, source, target, threads)
         made = target
     click.echo(json.dumps({**record, "output": str(made)}) if as_json else f"{made}: made again from {source}")
