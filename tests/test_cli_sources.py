@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import json
+import os
+import threading
+import warnings
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import crazing as cz
 from command_line import refused, run
 
 Image = pytest.importorskip("PIL.Image")
@@ -135,3 +139,53 @@ def test_a_shape_of_nothing_is_named(tmp_path: Path) -> None:
     path = tmp_path / "white.png"
     Image.new("L", (50, 50), 255).save(path)
     refused(run("maze", "--within", path, "-o", tmp_path / "maze.svg"), "white.png has nothing inside")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="pipes of POSIX")
+@pytest.mark.parametrize("kind", ["png", "svg", "geojson"])
+@pytest.mark.parametrize("words", [("skeleton",), ("maze", "--seed", 1, "--within")])
+def test_shapes_come_through_a_pipe(kind: str, words: tuple[object, ...], tmp_path: Path) -> None:
+    """A shell's `<(...)` gives its bytes once."""
+    path, pipe = shape(kind, tmp_path), tmp_path / "pipe"
+    os.mkfifo(pipe)
+    writer = threading.Thread(target=lambda: pipe.write_bytes(path.read_bytes()), daemon=True)
+    writer.start()
+    result = run(*words, pipe, "-o", tmp_path / "piped.svg")
+    assert result.exit_code == 0, result.output
+    run(*words, path, "-o", tmp_path / "plain.svg")
+    assert (tmp_path / "piped.svg").read_bytes() == (tmp_path / "plain.svg").read_bytes()
+
+
+@pytest.mark.parametrize("words", [("skeleton",), ("maze", "--within")])
+def test_pictures_that_are_none_are_named(words: tuple[object, ...], tmp_path: Path) -> None:
+    path = tmp_path / "torn.png"
+    path.write_bytes(shape("png", tmp_path).read_bytes()[:60])
+    refused(run(*words, path, "-o", tmp_path / "out.svg"), "torn.png cannot be read as a picture")
+
+
+def test_a_shape_of_lines_is_named(tmp_path: Path) -> None:
+    path = tmp_path / "way.geojson"
+    path.write_text(json.dumps({"type": "LineString", "coordinates": [[0, 0], [1, 0], [1, 1]]}))
+    message = "way.geojson is a geometry of type 'LineString'; Polygon"
+    refused(run("maze", "--within", path, "-o", tmp_path / "maze.svg"), message)
+
+
+@pytest.mark.parametrize(("page", "found"), [((0, 9), "page is (0.0, 9.0)"), (("nan", 9), "page[0] is nan")])
+def test_a_page_of_nothing_is_named(page: tuple[object, object], found: str, tmp_path: Path) -> None:
+    refused(run("maze", "--page", *page, "-o", tmp_path / "maze.svg"), found)
+
+
+def test_drawings_in_any_encoding(tmp_path: Path) -> None:
+    text = f'<svg xmlns="http://www.w3.org/2000/svg"><title>Überzug</title><path d="{RING}"/></svg>'
+    path, expected = tmp_path / "shape.svg", cz.sample.from_svg(RING)
+    for encoding in ("utf-8", "utf-8-sig", "utf-16", "latin-1"):
+        path.write_bytes(f'<?xml version="1.0" encoding="{encoding.removesuffix("-sig")}"?>{text}'.encode(encoding))
+        np.testing.assert_array_equal(cz.sample.from_svg(path), expected)
+
+
+def test_a_drawing_without_end_is_one_line(tmp_path: Path) -> None:
+    path = tmp_path / "far.svg"
+    path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L1e999 0L10 10Z"/></svg>')
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        refused(run("skeleton", path, "-o", tmp_path / "out.svg"), "nan or infinity")

@@ -67,7 +67,7 @@ def read_image(path: str | os.PathLike[str] | BinaryIO) -> NDArray[Any]:
            [7, 7, 7]], dtype=uint8)
     """
     library = require("PIL.Image", "image")
-    name = os.fspath(path) if isinstance(path, (str, os.PathLike)) else "the picture"
+    name = os.fspath(path) if isinstance(path, (str, os.PathLike)) else _called(path)
     with _opened(path) as stream, _our_limit:
         try:
             with library.open(stream, formats=_FORMATS) as picture:
@@ -111,6 +111,11 @@ class _Limit:
 
 
 _our_limit = _Limit()
+
+
+def _called(file: BinaryIO) -> str:
+    name = getattr(file, "name", None)
+    return name if isinstance(name, str) else "the picture"
 
 
 def _opened(path: str | os.PathLike[str] | BinaryIO) -> contextlib.AbstractContextManager[BinaryIO]:

@@ -45,15 +45,15 @@ def rings(lines: list[NDArray[np.float64]], closed: list[bool] | None = None) ->
     return Contours(np.concatenate(kept), np.cumsum([0, *map(len, kept)]), np.array(shut))
 
 
-def svg_lines(source: str | os.PathLike[str]) -> Contours:
-    """The sub-paths of path data or of an SVG file, y up."""
+def svg_lines(source: str | os.PathLike[str] | bytes) -> Contours:
+    """The sub-paths of path data, of an SVG file or of what one holds, y up."""
     svgpathtools = require("svgpathtools", "svg")
     try:
         if isinstance(source, str) and source.lstrip()[:1] in ("M", "m"):
             drawn = [(svgpathtools.parse_path(source), np.eye(3))]
         else:
             # Opened here, so that a missing file is said to be missing.
-            drawn = list(svg.shapes(Path(source).read_text(encoding="utf-8")))
+            drawn = list(svg.shapes(source if isinstance(source, bytes) else Path(source).read_bytes()))
         lines = [_flattened(part, matrix) for path, matrix in drawn for part in path.continuous_subpaths()]
     except OSError:
         raise
@@ -73,5 +73,7 @@ def _flattened(path: Any, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
         inner = () if straight else (segment.point(i / PARTS) for i in range(1, PARTS))
         points += [*inner, segment.end]
     places = np.array(points, dtype=np.complex128)
-    x, y = matrix[:2, :2] @ [places.real, places.imag] + matrix[:2, 2:]
+    # What is not finite is named later.
+    with np.errstate(over="ignore", invalid="ignore"):
+        x, y = matrix[:2, :2] @ [places.real, places.imag] + matrix[:2, 2:]
     return np.column_stack([x, -y + 0.0])

@@ -62,10 +62,14 @@ def polygons(shape: Any, name: str) -> list[list[Ring]]:
 
 def geojson(path: str | os.PathLike[str]) -> Any:
     """What a GeoJSON file holds; of a collection with one feature, that."""
-    text = Path(path).read_text(encoding="utf-8-sig")
+    return parsed(Path(path).read_text(encoding="utf-8-sig"), path)
+
+
+def parsed(text: str, path: str | os.PathLike[str]) -> Any:
+    """What the text of a GeoJSON file holds; `path` names it in messages."""
     try:
         found = json.loads(text)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise ValueError(f"{os.fspath(path)!r} is no GeoJSON: {error}") from None
     if isinstance(found, dict) and found.get("type") == "FeatureCollection" and len(found.get("features", ())) == 1:
         return found["features"][0]

@@ -21,7 +21,7 @@ _GROUPS = ("svg", "g", "a", "switch", "symbol")
 _MOST = 100_000
 
 
-def shapes(text: str) -> Iterator[tuple[Any, Matrix]]:
+def shapes(text: str | bytes) -> Iterator[tuple[Any, Matrix]]:
     """Every path that a picture draws, as one of svgpathtools, and the matrix that takes it to the picture's units.
 
     In the order of the file. Groups, copies (`use`) and inner pictures are followed; definitions and what is not

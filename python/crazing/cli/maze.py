@@ -11,6 +11,7 @@ import click
 import numpy as np
 
 import crazing
+from crazing import arguments
 from crazing.cli.output import ending_in
 from crazing.cli.progress import steps
 from crazing.cli.source import region_of
@@ -84,7 +85,7 @@ def _maze(*, n: int, within: str | None, cells: str, seed: int, page: tuple[floa
     # There are two triangles a point.
     count = n if cells == "voronoi" else max(3, n // 2)
     if within is None:
-        box = (0.0, 0.0, float(page[0]), float(page[1]))
+        box = (0.0, 0.0, *arguments.period_pair(page, "page"))
         points = crazing.sample.uniform(count, bounds=box, rng=rng)
         return crazing.maze(points, cells=cells, **how, bounds=box, rng=rng)
     region = region_of(within)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
+from typing import Any
 
 import click
 import numpy as np
@@ -12,7 +14,7 @@ import crazing
 from crazing import outline
 from crazing.edit import exchange
 from crazing.images import read_image
-from crazing.polygons import geojson
+from crazing.polygons import parsed
 from crazing.region import Region, as_region
 
 #: Most bytes of a file that is read.
@@ -43,13 +45,13 @@ def samples(
     content = content_of(source)
     if exchange.is_picture(content):
         levels = level if len(level) > 1 else level[0]
-        return crazing.sample.from_image(read_image(source), level=levels, n=n, spacing=spacing), 1.0
+        return crazing.sample.from_image(_pixels(content, source), level=levels, n=n, spacing=spacing), 1.0
     if exchange.is_foreign_svg(content):
-        return crazing.sample.from_svg(source, n=n, spacing=spacing), None
+        return outline.spread(outline.svg_lines(content), n, spacing), None
     if exchange.is_polygon(content):
         # Corners alone say little of a shape.
         n = POLYGON if n is None and spacing is None else n
-        return crazing.sample.from_polygon(source, n=n, spacing=spacing), None
+        return crazing.sample.from_polygon(_geojson(content, source), n=n, spacing=spacing), None
     if n is not None or spacing is not None:
         raise click.UsageError(f"{source} holds points, which are taken as they are, without --points and --spacing.")
     points = exchange.load(content)
@@ -71,8 +73,19 @@ def region_of(source: str) -> Region:
     """The shape in a picture, a drawing or GeoJSON."""
     content = content_of(source)
     if exchange.is_foreign_svg(content):
-        lines = outline.svg_lines(Path(source))
+        lines = outline.svg_lines(content)
         return as_region([line for line, closed in zip(lines.lines, lines.closed, strict=True) if closed], source)
-    if exchange.is_polygon(content):
-        return as_region(geojson(source), source)
-    return as_region(read_image(source), source)
+    if exchange.is_geojson(content):
+        return as_region(_geojson(content, source), source)
+    return as_region(_pixels(content, source), source)
+
+
+# What was read is not read again: a pipe gives it once.
+def _pixels(content: bytes, source: str) -> NDArray[Any]:
+    file = io.BytesIO(content)
+    file.name = source
+    return read_image(file)
+
+
+def _geojson(content: bytes, source: str) -> Any:
+    return parsed(content.decode("utf-8-sig"), source)

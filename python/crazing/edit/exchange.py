@@ -110,10 +110,14 @@ def is_foreign_svg(content: bytes) -> bool:
     return head.startswith(b"<") and b"<svg" in head and _GROUP.encode() not in head
 
 
+def is_geojson(content: bytes) -> bool:
+    """Whether this begins as GeoJSON does."""
+    return content[:256].lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{")
+
+
 def is_polygon(content: bytes) -> bool:
     """Whether this is GeoJSON with a polygon: a shape, whose outline can be sampled."""
-    head = content[:256].lstrip(b"\xef\xbb\xbf \t\r\n")
-    return head.startswith(b"{") and re.search(rb'"type"\s*:\s*"(Multi)?Polygon"', content) is not None
+    return is_geojson(content) and re.search(rb'"type"\s*:\s*"(Multi)?Polygon"', content) is not None
 
 
 def is_picture(content: bytes) -> bool:
