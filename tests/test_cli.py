@@ -196,7 +196,7 @@ def test_help_says_how(words: list[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["texture", "skeleton", "compare", "maze", "measure", "fit", "dataset", "edit", "presets"]
+    "name", ["texture", "skeleton", "compare", "maze", "measure", "fit", "dataset", "edit", "presets", "rerun"]
 )
 def test_every_command_takes_a_seed_and_an_output(name: str) -> None:
     words = run(name, "--help").stdout

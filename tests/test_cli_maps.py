@@ -210,3 +210,12 @@ def test_a_plain_picture_is_made_again_as_what_it_is(tmp_path) -> None:
     result = run("rerun", tmp_path / "a.png", "-o", tmp_path / "b.tif")
     assert result.exit_code == 2 and "does not end in .png" in result.stderr
     assert not (tmp_path / "b.tif").exists()
+
+
+@pytest.mark.parametrize(("stem", "name"), [("mein Rezept 1", "mein-Rezept-1"), ("ü", "texture"), ("a" * 99, "a" * 64)])
+def test_a_recipe_may_be_called_anything(stem: str, name: str, tmp_path: Path) -> None:
+    """The name of its file becomes that of the material as far as one may hold it."""
+    (tmp_path / f"{stem}.toml").write_text("[recipe]\nn = 20\n")
+    words = ["--recipe", tmp_path / f"{stem}.toml", "--seed", 1, "--size", 16]
+    done("texture", *words, "-o", tmp_path / "maps")
+    assert (tmp_path / "maps" / f"{name}.mtlx").exists()

@@ -6,7 +6,6 @@ import contextlib
 import json
 import math
 import secrets
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -14,6 +13,7 @@ import click
 
 import crazing
 from crazing.cli.measure import mask_options, remarks
+from crazing.cli.progress import is_watched
 from crazing.images import read_image
 from crazing.measure import as_mask
 
@@ -77,7 +77,7 @@ def command(
 @contextlib.contextmanager
 def _bar(total: int) -> Iterator[Callable[[int, float], None]]:
     """Shows how many recipes were tried and how near the best is; nothing unless standard error is a terminal."""
-    if not sys.stderr.isatty():
+    if not is_watched():
         yield lambda tried, best: None
         return
     from rich.console import Console

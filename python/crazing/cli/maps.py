@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -123,7 +124,10 @@ class Order:
             return self.name
         if self.preset is not None:
             return self.preset
-        return "texture" if self.recipe is None else Path(self.recipe).stem
+        if self.recipe is None:
+            return "texture"
+        # Of a file's name what names of pictures may hold.
+        return re.sub(r"[^A-Za-z0-9._-]+", "-", Path(self.recipe).stem).lstrip("._-")[:64] or "texture"
 
     def _stages(self) -> Iterator[tuple[float | None, Path]]:
         """The age of each frame and where it goes: a folder of its own, or a numbered file."""

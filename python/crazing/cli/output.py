@@ -22,6 +22,8 @@ def checked(ctx: click.Context, parameter: click.Parameter, value: str | None) -
     if value is None:
         return None
     if value == STANDARD:
+        if sys.stdout is None:
+            raise click.BadParameter("standard output is closed; name a file.")
         if sys.stdout.isatty():
             raise click.BadParameter("a PNG is not written to a terminal; name a file or redirect.")
         return value

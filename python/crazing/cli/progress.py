@@ -7,10 +7,15 @@ import sys
 from collections.abc import Callable, Iterator
 
 
+def is_watched() -> bool:
+    """Whether standard error is a terminal; it may be closed, and is then None."""
+    return sys.stderr is not None and sys.stderr.isatty()
+
+
 @contextlib.contextmanager
 def rows(what: str = "rows") -> Iterator[Callable[[int, int], None]]:
     """Gives a function that takes the number done and of all; silent unless standard error is a terminal."""
-    if not sys.stderr.isatty():
+    if not is_watched():
         yield lambda done, total: None
         return
     from rich.console import Console
@@ -30,7 +35,7 @@ def rows(what: str = "rows") -> Iterator[Callable[[int, int], None]]:
 @contextlib.contextmanager
 def steps(total: int) -> Iterator[Callable[[str], None]]:
     """Gives a function that names the next of `total` steps; silent unless standard error is a terminal."""
-    if not sys.stderr.isatty():
+    if not is_watched():
         yield lambda _: None
         return
     from rich.console import Console

@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 import crazing
+from crazing.cli.output import seed_without_use
 from crazing.cli.progress import rows
 from crazing.pictures.reading import record_of
 from crazing.rerun import check_version
@@ -18,6 +19,7 @@ from crazing.rerun import check_version
 @click.argument("file", type=click.Path(exists=True))
 @click.option("-o", "--output", metavar="FILE", help="Where to; by default beside FILE, with .again in its name.")
 @click.option("--threads", type=click.IntRange(1, 1024), metavar="N", help="Threads that draw; all cores by default.")
+@seed_without_use
 @click.option("--json", "as_json", is_flag=True, help="Print the result as one line of JSON.")
 def command(*, file: str, output: str | None, threads: int | None, as_json: bool) -> None:
     """Makes a picture again, the same pixels, from what FILE says of itself.
@@ -35,7 +37,7 @@ def command(*, file: str, output: str | None, threads: int | None, as_json: bool
             made = crazing.rerun(source, target, threads=threads, progress=progress)
     else:
         if target.suffix.lower() != ".png":
-            raise click.UsageError(f"{target} does not end in .png, and {source} holds a PNG")
+            raise click.UsageError(f"{target} does not end in .png, and {source} holds a PNG.")
         _draw(record, source, target, threads)
         made = target
     click.echo(json.dumps({**record, "output": str(made)}) if as_json else f"{made}: made again from {source}")
