@@ -285,3 +285,8 @@ def test_more_rows_than_indices_are_refused_before_memory_is_taken() -> None:
     rows = np.broadcast_to(np.zeros((1, 2)), (2**32, 2))
     with pytest.raises(ValueError, match="points has 4294967296 rows"):
         cz.diagram(rows)
+
+
+def test_bounds_too_wide_for_a_float_are_said_to_be() -> None:
+    with pytest.raises(ValueError, match="a width and height that are floats are wanted"):
+        cz.sample.uniform(3, bounds=(-1e308, 0, 1e308, 1))

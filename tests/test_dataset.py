@@ -76,6 +76,21 @@ def test_a_picture_depends_on_key_and_index_alone() -> None:
     assert not np.array_equal(other.image, a.image)
 
 
+def test_pictures_compare_by_what_they_hold() -> None:
+    data = cz.dataset(2, size=16, labels=LABELS, rng=1)
+    made = data[0]
+    assert made == data[0] == pickle.loads(pickle.dumps(made)) != data[1]
+    made.labels["mask"][0, 0] ^= 255
+    assert made != data[0]
+
+
+def test_what_is_drawn_for_no_picture() -> None:
+    data = cz.dataset(3, size=16, rng=1)
+    for index in (3, -1):
+        with pytest.raises(ValueError, match=f"index is {index}; it must be from 0 to 2"):
+            data.drawn(index)
+
+
 def test_is_a_sequence() -> None:
     data = cz.dataset(3, size=16, presets=["rock"], rng=1)
     assert len(data) == 3

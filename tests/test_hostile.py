@@ -233,6 +233,12 @@ def test_results_are_equal_to_their_copies() -> None:
         assert repr(result)
 
 
+def test_copies_of_textures_are_read_only() -> None:
+    shown = cz.texture(cz.crack(SQUARE, rng=1), 8, maps="all")
+    for made in (copy.copy(shown), copy.deepcopy(shown), pickle.loads(pickle.dumps(shown))):
+        assert not any(array.flags.writeable for array in made.values())
+
+
 def test_textures_that_differ_are_not_equal() -> None:
     crack = cz.crack(SQUARE, rng=1)
     assert cz.texture(crack, 8, seed=1) != cz.texture(crack, 8, seed=2)

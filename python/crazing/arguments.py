@@ -249,8 +249,10 @@ def bounds_tuple(value: Any, name: str = "bounds") -> tuple[float, float, float,
     """`value` as (xmin, ymin, xmax, ymax) with a positive, finite width and height."""
     parts = entries(value, name, 4, "(xmin, ymin, xmax, ymax)")
     xmin, ymin, xmax, ymax = (number(part, f"{name}[{i}]") for i, part in enumerate(parts))
-    if not (xmin < xmax and ymin < ymax and np.isfinite(xmax - xmin) and np.isfinite(ymax - ymin)):
+    if not (xmin < xmax and ymin < ymax):
         raise ValueError(f"{name} is {(xmin, ymin, xmax, ymax)}; xmin < xmax and ymin < ymax are wanted")
+    if not (np.isfinite(xmax - xmin) and np.isfinite(ymax - ymin)):
+        raise ValueError(f"{name} is {(xmin, ymin, xmax, ymax)}; a width and height that are floats are wanted")
     return xmin, ymin, xmax, ymax
 
 

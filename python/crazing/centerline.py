@@ -71,7 +71,10 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
     >>> line.components, line.leaves
     (1, 4)
     """
-    parts = [[_opened(ring) for ring in part] for part in polygons(polygon, "polygon")]
+    parts = [
+        [_opened(ring, f"ring {j} of polygon {i}") for j, ring in enumerate(part)]
+        for i, part in enumerate(polygons(polygon, "polygon"))
+    ]
     if not parts:
         raise DegenerateInputError("polygon is empty; a ring of at least 3 points is wanted")
     rings, exponent = _scaled([ring for part in parts for ring in part])
@@ -134,10 +137,12 @@ def _largest(ring: Ring) -> float:
     return max(float(ring.max()), -float(ring.min()))
 
 
-def _opened(ring: Ring) -> Ring:
+def _opened(given: Ring, name: str) -> Ring:
     """The ring without repeated points."""
+    ring = given
     if len(ring) and not np.isfinite(_largest(ring)):
-        raise CrazingError("a ring of the polygon holds nan or infinity; every coordinate must be finite")
+        row = int(np.argmin(np.isfinite(ring).all(axis=1)))
+        raise CrazingError(f"{name} has {tuple(ring[row].tolist())} in row {row}; every coordinate must be finite")
     while len(ring) > 1 and (ring[0] == ring[-1]).all():
         # By a slice: a ring of many points is not copied.
         ring = ring[1:]
@@ -146,10 +151,11 @@ def _opened(ring: Ring) -> Ring:
     if not is_new.all():
         ring = ring[np.append(True, is_new)]
     if len(ring) < 3:
-        raise DegenerateInputError(f"a ring of the polygon has {len(ring)} distinct points; at least 3 are wanted")
+        distinct = len(np.unique(given, axis=0))
+        raise DegenerateInputError(f"{name} has {distinct} distinct points; at least 3 are wanted")
     # Nearly always the first few points tell.
     if _is_straight(ring[:FEWEST]) and _is_straight(ring):
-        raise DegenerateInputError("a ring of the polygon has no area")
+        raise DegenerateInputError(f"{name} has no area")
     return ring
 
 

@@ -20,6 +20,7 @@ from crazing.errors import CrazingError
 from crazing.material import Material, preset_material
 from crazing.recipe import preset as _preset
 from crazing.recipe import presets as _presets
+from crazing.record import equal
 from crazing.texture import texture
 
 #: What can be labelled: the name, and the map of the texture it is taken from.
@@ -73,6 +74,11 @@ class LabelledImage:
     light: tuple[float, float, float]
     exposure: float
     split: str
+
+    def __eq__(self, other: object) -> bool:
+        return equal(self, other)
+
+    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         height, width = self.image.shape[:2]
@@ -147,6 +153,11 @@ class Dataset(Sequence[LabelledImage]):
             preset, plates, light, exposure and split, as in `LabelledImage`. They and the picture depend on the
             key and the index alone, so that a larger data set begins with the pictures of a smaller one.
 
+        Raises
+        ------
+        TypeError, ValueError
+            If `index` is no such integer.
+
         Examples
         --------
         >>> import crazing as cz
@@ -154,7 +165,7 @@ class Dataset(Sequence[LabelledImage]):
         >>> cz.dataset(20, rng=1).drawn(9) == data.drawn(9)
         True
         """
-        row = arguments.count(index, "index")
+        row = arguments.count(index, "index", high=self.n - 1)
         kind, scale, turn, rise, bright, part = sample.uniform(3, rng=self._seed(row, 0)).ravel().tolist()
         name = self.presets[int(kind * len(self.presets))]
         angle = 2.0 * math.pi * turn

@@ -44,7 +44,7 @@ def polygons(shape: Any, name: str) -> list[list[Ring]]:
         shape = geojson(shape)
     if _is_geometry(shape):
         return list(_of_geometry(shape, name))
-    is_row = isinstance(shape, Sequence) and not isinstance(shape, (str, bytes))
+    is_row = isinstance(shape, Sequence) and not isinstance(shape, (str, bytes, memoryview))
     if not is_row and not hasattr(shape, "__array__"):
         raise TypeError(f"{name} is {found(shape)}; a polygon, a ring or a list of them is wanted")
     if not is_row:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
@@ -211,6 +211,10 @@ class Texture(Mapping[str, NDArray[Any]]):
     def __post_init__(self) -> None:
         for array in self.maps.values():
             array.flags.writeable = False
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Through the constructor, so that unpickled maps are read-only again.
+        return type(self), tuple(getattr(self, field.name) for field in fields(self))
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         try:
