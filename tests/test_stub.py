@@ -28,6 +28,14 @@ def picture(seed: int) -> NDArray[np.uint8]:
     return cz.render(c, 64)
 
 
+def places() -> NDArray[np.float64]:
+    box = np.array([0.0, 0.0, 2.0, 1.0])
+    points = cz.sample.uniform(20, bounds=box, rng=np.int64(3))
+    cracks = cz.steps.widen(cz.steps.split(9, bounds=list(box), rng=1), width=0.1, source=box[:2])
+    cz.render(cracks, (8, 16), bounds=box)
+    return cz.sample.relax(points, iterations=1, bounds=box)
+
+
 def refused() -> str:
     try:
         cz.crust([[0.0, 0.0], [1.0, 1.0]])

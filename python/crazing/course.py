@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core
 from crazing.arguments import count, entries, number
@@ -129,7 +128,7 @@ def widths(
     abutting: float,
     unevenness: float,
     unit: float,
-    source: Sequence[float],
+    source: ArrayLike,
     reach: float,
     fade: float,
 ) -> Widths:

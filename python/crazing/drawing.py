@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core, arguments
 from crazing.diagram import diagram
@@ -74,7 +73,7 @@ def paired(net: Net, fence: Fence, bounds: Bounds) -> Drawing:
     return Drawing(*net, bounds, fence, _core.crack_pairs(net, np.pi), np.empty(0, dtype=np.int32))
 
 
-def draw(graph: PlanarGraph, *, bounds: Sequence[float] | None = None) -> Drawing:
+def draw(graph: PlanarGraph, *, bounds: ArrayLike | None = None) -> Drawing:
     """Any drawing of straight edges that do not cross, ready for the steps.
 
     Parameters

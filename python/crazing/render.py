@@ -94,7 +94,7 @@ def render(
     crack_or_graph: Crack | Graph,
     size: int | tuple[int, int],
     *,
-    bounds: tuple[float, float, float, float] | None = None,
+    bounds: ArrayLike | None = None,
     style: Style | None = None,
     threads: int | None = None,
 ) -> NDArray[np.uint8]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from crazing.arguments import found
 
-RNG: TypeAlias = "int | np.random.Generator | np.random.SeedSequence | np.random.BitGenerator | None"
+RNG: TypeAlias = "int | np.integer[Any] | np.random.Generator | np.random.SeedSequence | np.random.BitGenerator | None"
 
 
 def key(rng: RNG = None) -> tuple[int, int]:

@@ -40,7 +40,7 @@ def __dir__() -> list[str]:
 Points: TypeAlias = NDArray[np.float64]
 
 
-def uniform(n: int, *, bounds: Sequence[float] = (0, 0, 1, 1), rng: RNG = None) -> Points:
+def uniform(n: int, *, bounds: ArrayLike = (0, 0, 1, 1), rng: RNG = None) -> Points:
     """Points spread evenly at random over a rectangle.
 
     Point i depends on `rng` and i alone: fewer points from the same seed are the first of the more.
@@ -174,8 +174,8 @@ def laplace(n: int, *, loc: ArrayLike = 0.0, scale: ArrayLike = 1.0, rng: RNG = 
 def poisson_disk(
     radius: float,
     *,
-    bounds: Sequence[float] = (0, 0, 1, 1),
-    period: Sequence[float] | None = None,
+    bounds: ArrayLike = (0, 0, 1, 1),
+    period: ArrayLike | None = None,
     rng: RNG = None,
 ) -> Points:
     """Points no nearer to each other than a radius, as many as fit: evenly spread, and yet in no order.
@@ -224,7 +224,7 @@ def from_density(
     image: ArrayLike,
     n: int,
     *,
-    bounds: Sequence[float] | None = None,
+    bounds: ArrayLike | None = None,
     rng: RNG = None,
 ) -> Points:
     """Points denser where an image is brighter.
@@ -272,7 +272,7 @@ def from_density(
 
 
 def relax(
-    points: ArrayLike | Diagram, *, iterations: int, bounds: Sequence[float], period: Sequence[float] | None = None
+    points: ArrayLike | Diagram, *, iterations: int, bounds: ArrayLike, period: ArrayLike | None = None
 ) -> Points:
     """Even points out by Lloyd's relaxation: each goes to the centroid of its Voronoi cell, again and again.
 

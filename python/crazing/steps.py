@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core, arguments, course
 from crazing.crack import Crack
@@ -109,8 +108,8 @@ def stretched(maze: Maze, matrix: NDArray[np.float64], centre: NDArray[np.float6
 def split(
     n: int,
     *,
-    bounds: Sequence[float] = (0, 0, 1, 1),
-    period: Sequence[float] | None = None,
+    bounds: ArrayLike = (0, 0, 1, 1),
+    period: ArrayLike | None = None,
     jitter: float = 0.3,
     bend: float = 1.0,
     anisotropy: float = 1.0,
@@ -179,11 +178,11 @@ def split(
 def impact(
     n: int,
     *,
-    source: Sequence[float] | None = None,
+    source: ArrayLike | None = None,
     speed: float = 200.0,
     arcs: float = 0.8,
-    bounds: Sequence[float] = (0, 0, 1, 1),
-    period: Sequence[float] | None = None,
+    bounds: ArrayLike = (0, 0, 1, 1),
+    period: ArrayLike | None = None,
     rng: RNG = None,
 ) -> Drawing:
     """Cracks of an impact on glass: straight spokes, then arcs between them.
@@ -242,13 +241,13 @@ def impact(
     return Drawing(*found[0], box, *found[1:])
 
 
-def _box(bounds: Sequence[float], period: Sequence[float] | None) -> Bounds:
+def _box(bounds: ArrayLike, period: ArrayLike | None) -> Bounds:
     if period is None:
         return arguments.areal(arguments.bounds_tuple(bounds))
     return 0.0, 0.0, *arguments.areal(arguments.period_pair(period), "period")
 
 
-def _place(source: Sequence[float]) -> tuple[float, float]:
+def _place(source: ArrayLike) -> tuple[float, float]:
     x, y = arguments.entries(source, "source", 2, "(x, y)")
     return x, y
 
@@ -532,7 +531,7 @@ def widen(
     abutting: float = 0.6,
     unevenness: float = 0.0,
     unit: float = 1.0,
-    source: Sequence[float] = (0.0, 0.0),
+    source: ArrayLike = (0.0, 0.0),
     reach: float = 1.0,
     fade: float = 0.0,
     rng: RNG = None,
