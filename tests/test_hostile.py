@@ -113,6 +113,29 @@ SHAPELESS: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
         ValueError,
         r"bounds is \(0.0, 0.0, 5e-324, 5e-324\); coordinates of at most 1e\+60 and sides of at least 1e-60",
     ),
+    "a density for points": (lambda: cz.crack(SQUARE, density=np.eye(3)), ValueError, "density is given, and points"),
+    "a density of an impact": (
+        lambda: cz.crack(preset="glass-impact", density=np.eye(3)),
+        ValueError,
+        "density is given, and the generator is 'impact'",
+    ),
+    "a density of another shape": (
+        lambda: cz.crack(n=9, density=lambda x, y: np.ones(3)),
+        ValueError,
+        r"density gave shape \(3,\) for x and y of shape \(192, 192\)",
+    ),
+    "a density of no number": (
+        lambda: cz.crack(n=9, density=lambda x, y: np.where(x < 0.5, NAN, y)),
+        cz.CrazingError,
+        r"density is nan at \(0\.0026.*, 0\.997.*\); a finite number",
+    ),
+    "a recipe without a name": (lambda: cz.Recipe().save(None), TypeError, "path is None; the name of a file"),
+    "a page without a name": (lambda: maze().save(None), TypeError, "path is None; the name of a file"),
+    "maps without a name": (
+        lambda: cz.texture(cz.crack(SQUARE), 8).save(5),
+        TypeError,
+        "path is 5; the name of a file",
+    ),
     "a start beyond": (lambda: cz.maze(SQUARE, start=6), ValueError, "start is 6; the cell of one of 6"),
     "points by the milliard": (lambda: cz.sample.from_polygon(SQUARE[:4], n=10**9), ValueError, "n is 1000000000"),
     "steps of next to nothing": (

@@ -271,7 +271,8 @@ class Recipe:
             Where the damage starts, data units; the middle of the bounds by default. See `falloff` and `fade`.
         density : array_like or callable, optional
             Plates are finer where this is larger: an image over the bounds, row 0 at the top, see
-            :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units).
+            :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units). For plates of the
+            recipe's own: not with `points`, nor of the generator `"impact"`.
         bounds : (xmin, ymin, xmax, ymax), optional
             What the pattern is clipped to, data units; by default as in :func:`crazing.crack`.
         period : (width, height), optional
@@ -298,6 +299,9 @@ class Recipe:
             raise ValueError("bounds and period are both given; a periodic picture is one period")
         if points is not None and self.generator != "maze":
             raise ValueError(f"points are given; the generator {self.generator!r} takes none")
+        if density is not None and (points is not None or self.generator == "impact"):
+            other = "points are given" if points is not None else "the generator is 'impact'"
+            raise ValueError(f"density is given, and {other}; it is for plates of the recipe's own")
         box = None if bounds is None else areal(bounds_tuple(bounds))
         if box is None and points is None:
             box = (0.0, 0.0, *(torus or (1.0, 1.0)))
@@ -387,7 +391,7 @@ class Recipe:
         OSError
             If the file cannot be written; what stood there before is then untouched.
         """
-        with files.atomic_write(path) as file:
+        with files.atomic_write(arguments.file_path(path)) as file:
             file.write(self.to_toml().encode())
 
     def to_toml(self) -> str:
@@ -506,7 +510,8 @@ def crack(
         Number of points when `points` is not given; 300 by default, or as in the preset.
     opening : float, optional
         The share of the maze's passages that are really opened: 1, the default, is the thesis (cracks are trees), 0
-        leaves every plate closed all round. Paint and glaze measure .6 to .85.
+        leaves every plate closed all round. Paint and glaze measure .6 to .85. Of no effect where cracks are not the
+        walls of a maze.
     width : float, optional
         Width of the longest crack, data units. By default an eighth of the median distance between neighbouring
         points, or as in the preset.
@@ -515,7 +520,8 @@ def crack(
         :class:`crazing.Recipe`.
     density : array_like or callable, optional
         Plates are finer where this is larger: an image over the bounds, row 0 at the top, see
-        :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units).
+        :func:`crazing.sample.from_density`, or a function of x and y (arrays, data units). Not with `points`, nor for
+        an impact.
     bounds : (xmin, ymin, xmax, ymax), optional
         What the pattern is clipped to, data units. By default the unit square without `points`, else their bounding
         box, grown by half their mean spacing and by no more than a tenth.
@@ -533,7 +539,8 @@ def crack(
     Raises
     ------
     TypeError, ValueError
-        If both `points` and `n` are given, a number is out of range, or no preset or field has such a name.
+        If `points` are given beside `n` or `density`; if a number is out of range, or no preset or field has such a
+        name.
     CrazingError
         If a coordinate is NaN or infinite.
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from crazing import _core, sample, steps
 from crazing.arguments import areal, bounds_tuple, number, real_array
 from crazing.diagram import Diagram, as_tiling, bounds_of
+from crazing.errors import CrazingError
 from crazing.fence import fenced, fenced_torus
 from crazing.images import brightness
 from crazing.maze import maze
@@ -193,8 +194,7 @@ class Site:
         if self.density is None:
             return 1.0
         if callable(self.density):
-            found = real_array(self.density(places[..., 0], places[..., 1]), "density")
-            return np.broadcast_to(found, places.shape[:2])
+            return _everywhere(real_array(self.density(places[..., 0], places[..., 1]), "density"), places)
         image = brightness(self.density, "density")
         low, high = np.reshape(bounds, (2, 2))
         part = (places - low) / (high - low)
@@ -241,6 +241,20 @@ class Frame:
     def area(self) -> float:
         """Of the bounds; the frame keeps areas."""
         return (self.bounds[2] - self.bounds[0]) * (self.bounds[3] - self.bounds[1])
+
+
+def _everywhere(found: NDArray[np.float64], places: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What a function of x and y gave, one finite number a place."""
+    shape = places.shape[:2]
+    try:
+        spread = np.broadcast_to(found, shape)
+    except ValueError:
+        raise ValueError(f"density gave shape {found.shape} for x and y of shape {shape}; one is wanted") from None
+    bad = ~np.isfinite(spread)
+    if bad.any():
+        where = tuple(np.argwhere(bad)[0])
+        raise CrazingError(f"density is {spread[where]} at {tuple(places[where].tolist())}; a finite number is wanted")
+    return spread
 
 
 def _steady(values: Any) -> Any:
