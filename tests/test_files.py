@@ -126,6 +126,17 @@ def test_an_ending_of_another_format(tmp_path, name):
     cz.save_png(tmp_path / "A.PNG", picture((2, 2)))
 
 
+@pytest.mark.parametrize("name", ["a.svg", "a.png"])
+def test_a_folder_is_not_replaced(tmp_path, name):
+    """What is named is the path that was given, not the file beside it."""
+    (tmp_path / name).mkdir()
+    with pytest.raises(IsADirectoryError) as found:
+        graph = cz.PlanarGraph([[0, 0], [1, 1]], [[0, 1]])
+        graph.save(tmp_path / name) if name == "a.svg" else cz.save_png(tmp_path / name, picture((2, 2)))
+    assert found.value.filename == str(tmp_path / name) and found.value.filename2 is None
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+
+
 class Refusing(io.RawIOBase):
     """A file that takes some bytes at a time and then fails."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import io
 import os
 import secrets
@@ -35,7 +36,7 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     Raises
     ------
     OSError
-        When the folder is not there or cannot be written.
+        When the folder is not there or cannot be written, or `path` is a folder itself.
 
     Examples
     --------
@@ -57,6 +58,8 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
                 shutil.copyfileobj(file, device)
         return
     target = Path(os.path.realpath(path))
+    if target.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
     # Named before it is there: an interrupt finds it at any time.
     name = target.parent / f".tmp-{secrets.token_hex(8)}"
     try:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from crazing import _core, files
+from crazing.arguments import file_path
 from crazing.errors import CrazingError
 from crazing.extras import require
 from crazing.graph import PlanarGraph
@@ -63,7 +64,7 @@ class Sheet:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the page in the format that the ending of `path` names."""
         writers = {".svg": self.svg, ".dxf": self.dxf, ".pdf": self.pdf, ".png": self.png}
-        ending = PurePath(path).suffix.lower()
+        ending = PurePath(file_path(path)).suffix.lower()
         if ending not in writers:
             raise ValueError(f"path is {os.fspath(path)!r}; an ending of {', '.join(writers)} is wanted")
         content = writers[ending]()

@@ -72,7 +72,7 @@ def is_file(path: str | os.PathLike[str]) -> bool:
 
 def refuse_others(path: str | os.PathLike[str]) -> None:
     """Raises where a path names a picture of a kind that is not written, not a folder."""
-    ending = Path(path).suffix.lower()
+    ending = Path(arguments.file_path(path)).suffix.lower()
     if ending in _OTHERS and not Path(path).is_dir():
         raise ValueError(f"{os.fspath(path)} ends in {ending}; {', '.join(ENDINGS)} or a folder is wanted")
 
