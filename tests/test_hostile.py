@@ -127,7 +127,29 @@ SHAPELESS: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
     "a density of no number": (
         lambda: cz.crack(n=9, density=lambda x, y: np.where(x < 0.5, NAN, y)),
         cz.CrazingError,
-        r"density is nan at \(0\.0026.*, 0\.997.*\); a finite number",
+        r"density is nan at \(0\.0026.*, 0\.997.*\); a finite number of at least 0",
+    ),
+    "a density below 0": (
+        lambda: cz.crack(n=9, density=lambda x, y: x - 0.5),
+        cz.CrazingError,
+        r"density is -0\.49.* at \(0\.0026.*, 0\.997",
+    ),
+    "pixels below 0": (
+        lambda: cz.sample.from_density([[1.0, 2.0], [0.0, -3.0]], 5),
+        cz.CrazingError,
+        r"image\[1, 1\] is -3\.0; no pixel may be negative",
+    ),
+    "a picture of density below 0": (
+        lambda: cz.crack(n=9, density=[[1.0, 2.0], [-1.0, 3.0]]),
+        cz.CrazingError,
+        r"density\[1, 0\] is -1\.0; no pixel may be negative",
+    ),
+    "a path of one point": (lambda: cz.sample.from_svg("M0 0"), ValueError, "the outline is empty"),
+    "a path of no text": (lambda: cz.sample.from_svg(5), TypeError, "source is 5; the name of a file"),
+    "rings on one another": (
+        lambda: cz.maze(SQUARE, within=[SQUARE[:3], SQUARE[:3]]),
+        cz.CrazingError,
+        "within has nothing inside: its rings lie on one another",
     ),
     "a recipe without a name": (lambda: cz.Recipe().save(None), TypeError, "path is None; the name of a file"),
     "a page without a name": (lambda: maze().save(None), TypeError, "path is None; the name of a file"),

@@ -138,3 +138,21 @@ def test_bad_shapes_are_named() -> None:
         cz.maze(points, within=HOLED, bounds=(0, 0, 1, 1))
     with pytest.raises(TypeError):
         cz.maze(points, within=7)
+
+
+@pytest.mark.parametrize("cells", ["voronoi", "delaunay"])
+def test_shapes_as_small_as_a_pixel_and_as_thin_as_a_hair(cells: str) -> None:
+    """Whose area the coordinates nearly hide, and whose sides would be cut into pieces without number."""
+    points = cz.sample.uniform(50, bounds=(0, 0, 4, 4), rng=1)
+    for shape in (shapely.box(1, 1, 1 + 1e-9, 1 + 1e-9), shapely.box(0, 1, 4, 1 + 1e-15), shapely.box(0, 0, 4, 1e-30)):
+        m = cz.maze(points, within=shape, cells=cells, rng=1)
+        assert m.region is not None and len(m.region.coords) == 4
+        assert len(m.diagram.sites) < 1000
+
+
+def test_masks_of_single_pixels_are_shapes() -> None:
+    mask = np.zeros((5, 7), dtype=bool)
+    mask[3, 2] = True
+    m = cz.maze(cz.sample.uniform(50, bounds=(0, 0, 7, 5), rng=1), within=mask, rng=1)
+    assert m.region is not None
+    assert m.region.contains(np.array([[2.5, 1.5], [4.5, 1.5]])).tolist() == [True, False]

@@ -54,7 +54,7 @@ def svg_lines(source: str | os.PathLike[str] | bytes) -> Contours:
         else:
             # Opened here, so that a missing file is said to be missing.
             drawn = list(svg.shapes(source if isinstance(source, bytes) else Path(source).read_bytes()))
-        lines = [_flattened(part, matrix) for path, matrix in drawn for part in path.continuous_subpaths()]
+        lines = [_flattened(part, matrix) for path, matrix in drawn for part in path.continuous_subpaths() if part]
     except OSError:
         raise
     except Exception as error:

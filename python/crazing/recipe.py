@@ -88,11 +88,11 @@ class Recipe:
     relax : int
         Rounds of Lloyd's relaxation: plates become alike. 0 to 2; more is a honeycomb.
     falloff : float
-        Plates are finer near the source: their density is ``(1 + (d / r)**2)**-falloff`` at a distance d, with r an
-        eighth of the smaller side. 0 is even.
+        The recipe's own plates are finer near the source: their density is ``(1 + (d / r)**2)**-falloff`` at a
+        distance d, with r an eighth of the smaller side. 0 is even.
     patchiness : float
-        Standard deviation of the logarithm of the density of plates: finer here, coarser there, as old cracks are.
-        0 is even.
+        Standard deviation of the logarithm of the density of the recipe's own plates: finer here, coarser there, as
+        old cracks are. 0 is even.
     patch : float
         How far across patches are, in spacings.
     anisotropy : float

@@ -183,7 +183,10 @@ def _joined(rings: list[Any], name: str) -> Region:
         kept.append(points)
     if not kept:
         raise ValueError(f"{name} has no ring; one or more are wanted")
-    return Region(*_core.region_rings((np.concatenate(kept), np.cumsum([0, *map(len, kept)]))))
+    region = Region(*_core.region_rings((np.concatenate(kept), np.cumsum([0, *map(len, kept)]))))
+    if not len(region.coords):
+        raise CrazingError(f"{name} has nothing inside: its rings lie on one another")
+    return region
 
 
 def _traced(picture: NDArray[Any], name: str) -> Region:
@@ -198,9 +201,10 @@ def _traced(picture: NDArray[Any], name: str) -> Region:
         raise CrazingError(f"{name} has nothing inside: nothing differs from its border by more than a half")
     found = contours(np.pad(grey, 1))
     rings = [line - 1.0 for line in found.lines if len(line) > 2]
-    plain = [_plain(line, _STEPS) for line in rings]
+    plain = [line for line in (_plain(line, _STEPS) for line in rings) if len(line) > 2]
     try:
-        return _joined([line for line in plain if len(line) > 2], name)
+        # A mask of single pixels has no others.
+        return _joined(plain or rings, name)
     except CrazingError:
         # Where the shape is as thin as the steps, leaving corners out may make its sides cross.
         return _joined(rings, name)

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core, arguments, outline
 from crazing.contour import contours
+from crazing.errors import CrazingError
 from crazing.images import brightness
 from crazing.region import as_region
 from crazing.rng import RNG, key
@@ -264,8 +265,9 @@ def from_density(
     True
     """
     pixels = np.ascontiguousarray(brightness(image))
-    if pixels.size == 0:
-        raise ValueError(f"image has shape {pixels.shape}; at least one pixel is wanted")
+    if pixels.min() < 0:
+        row, column = np.unravel_index(int(pixels.argmin()), pixels.shape)
+        raise CrazingError(f"image[{row}, {column}] is {pixels[row, column]}; no pixel may be negative")
     box = (0.0, 0.0, float(pixels.shape[1]), float(pixels.shape[0]))
     box = box if bounds is None else arguments.bounds_tuple(bounds)
     return _core.sample_from_density((pixels, box), arguments.count(n, "n"), key(rng))
@@ -467,7 +469,7 @@ def from_svg(source: str | os.PathLike[str], *, n: int | None = None, spacing: f
            [2., 0.],
            [4., 0.]])
     """
-    return outline.spread(outline.svg_lines(source), n, spacing)
+    return outline.spread(outline.svg_lines(arguments.file_path(source, "source")), n, spacing)
 
 
 def _pair(value: Any, name: str) -> tuple[float, float]:

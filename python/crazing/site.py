@@ -196,6 +196,9 @@ class Site:
         if callable(self.density):
             return _everywhere(real_array(self.density(places[..., 0], places[..., 1]), "density"), places)
         image = brightness(self.density, "density")
+        if image.min() < 0:
+            row, column = np.unravel_index(int(image.argmin()), image.shape)
+            raise CrazingError(f"density[{row}, {column}] is {image[row, column]}; no pixel may be negative")
         low, high = np.reshape(bounds, (2, 2))
         part = (places - low) / (high - low)
         part = part - np.floor(part) if self.period is not None else np.clip(part, 0, 1 - 1e-12)
@@ -250,10 +253,12 @@ def _everywhere(found: NDArray[np.float64], places: NDArray[np.float64]) -> NDAr
         spread = np.broadcast_to(found, shape)
     except ValueError:
         raise ValueError(f"density gave shape {found.shape} for x and y of shape {shape}; one is wanted") from None
-    bad = ~np.isfinite(spread)
+    bad = ~(np.isfinite(spread) & (spread >= 0))
     if bad.any():
         where = tuple(np.argwhere(bad)[0])
-        raise CrazingError(f"density is {spread[where]} at {tuple(places[where].tolist())}; a finite number is wanted")
+        raise CrazingError(
+            f"density is {spread[where]} at {tuple(places[where].tolist())}; a finite number of at least 0 is wanted"
+        )
     return spread
 
 

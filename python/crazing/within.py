@@ -13,6 +13,9 @@ from crazing.errors import CrazingError
 from crazing.record import Record
 from crazing.region import Region
 
+#: Most pieces of the outline of a shape for every point and corner of it.
+_SLENDER = 64
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Plan(Record):
@@ -74,8 +77,13 @@ def triangulated(points: NDArray[np.float64], region: Region) -> Diagram:
     """
     inside = max(int(region.contains(points).sum()), 1) if len(points) else 1
     a, b = np.moveaxis(region.outline.segments, 1, 0)
-    area = 0.5 * float((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum())
-    pieces = np.maximum(np.rint(region.outline.lengths / np.sqrt(max(area, 0.0) / inside)), 1).astype(np.intp)
+    # From a corner of it: of a small shape far from the origin the products would be all rounding.
+    p, q = a - a[0], b - a[0]
+    area = 0.5 * float((p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum())
+    lengths = region.outline.lengths
+    # Of a shape like a hair the pieces would be without number.
+    apart = max(float(np.sqrt(max(area, 0.0) / inside)), float(lengths.sum()) / (_SLENDER * (inside + len(lengths))))
+    pieces = np.maximum(np.rint(lengths / apart), 1).astype(np.intp)
     try:
         return _along(points, region, pieces)
     except CrazingError:
