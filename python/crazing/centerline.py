@@ -38,6 +38,8 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
         type Polygon, MultiPolygon, Feature or a collection of them, or a file of it; a list of such; a shell, an (n, 2)
         array_like, and a list of such holes; a shell alone; or a list of rings, of which those in an odd number of
         others are holes. Rings may repeat their first point, run either way and touch in points; heights are left out.
+        Coordinates are taken as numbers in a plane, whatever reference system a table of GeoPandas names: project
+        degrees before.
     spacing : float, optional
         Largest distance between two points of the boundary, in data units; the corners are always among them. By
         default a quarter of the mean width (twice the area over the perimeter), but from 400 to 250,000 points; of

@@ -290,7 +290,8 @@ class PlanarGraph(Record):
         Returns
         -------
         shapely.MultiLineString
-            One line for each of `polylines`, in the same order.
+            One line for each of `polylines`, in the same order, in data units. A reference system is not kept: give
+            GeoPandas that of the input.
 
         Raises
         ------
@@ -309,7 +310,7 @@ class PlanarGraph(Record):
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:
-        """The polylines as a GeoJSON geometry of type MultiLineString."""
+        """The polylines as a GeoJSON geometry of type MultiLineString, in data units, without a reference system."""
         coords, offsets = self.polylines()
         points = [tuple(point) for point in coords.tolist()]
         starts, ends = offsets[:-1].tolist(), offsets[1:].tolist()
@@ -361,7 +362,8 @@ class PlanarGraph(Record):
         path : str or path-like
             Its ending decides the format: `.svg` (as `to_svg`), `.geojson` (one feature, of type
             MultiLineString) or `.dxf` (one LWPOLYLINE a line; needs ezdxf, the extra `cad`). All keep every
-            bit of a coordinate.
+            bit of a coordinate. GeoJSON names no reference system; programs take it for longitude and latitude unless
+            they are told another.
 
         Raises
         ------

@@ -392,8 +392,9 @@ def from_polygon(polygon: Any, *, n: int | None = None, spacing: float | None = 
     Parameters
     ----------
     polygon : array_like, shapely geometry, mapping, Region or path
-        A ring, an (k, 2) array; a list of rings; anything with a ``__geo_interface__`` or a GeoJSON mapping of type
-        Polygon, MultiPolygon or Feature; or the path of a GeoJSON file with one.
+        A ring, a (k, 2) array; a list of rings; anything with a ``__geo_interface__`` or a GeoJSON mapping of type
+        Polygon, MultiPolygon or Feature; or the path of a GeoJSON file with one. Coordinates are taken as they are,
+        whatever their reference system.
     n, spacing
         As for `from_image`, the spacing in data units. Without either: the corners as they are.
 
