@@ -47,6 +47,7 @@ WALLS = cz.steps.walls(MAZE)
 CRACK = cz.steps.widen(WALLS, width=0.01)
 COMPARISON = cz.compare(cz.sample.uniform(12, rng=0))
 TARGETS = cz.targets("painting-italian")
+SHOWN = cz.texture(CRACK, 4, maps="all")
 PLAN = cz.texture_plan(CRACK, 32)
 
 
@@ -87,6 +88,12 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     "Crack.shifted": (CRACK.shifted, {"dx": 0, "dy": 0}),
     "Maze.solve": (MAZE.solve, {"source": 0, "target": 3}),
     "save_png": (cz.save_png, {"path": "no folder/of this name.png", "image": np.zeros((2, 2), np.uint8)}),
+    "Texture": (cz.Texture, given(SHOWN)),
+    "Texture.save": (SHOWN.save, {"path": "maps"}),
+    "write_texture": (cz.write_texture, {"crack": CRACK, "path": "mask.png", "size": 4, "maps": "mask"}),
+    "shade": (cz.shade, {"texture": SHOWN}),
+    "Dataset.write": (cz.dataset(1, size=4).write, {"folder": "pictures"}),
+    "measure": (cz.measure, {"source": np.eye(9)}),
     "rerun": (cz.rerun, {"source": "no file of this name.png", "path": "nor this.png"}),
 }
 

@@ -15,7 +15,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from crazing import _core
+from crazing import _core, arguments
 from crazing.errors import CrazingError
 from crazing.files import atomic_write, save_png
 from crazing.versions import algorithm_version
@@ -57,7 +57,7 @@ def write(
     dataset: Dataset, folder: str | os.PathLike[str], workers: int, progress: Callable[[int, int], None] | None
 ) -> int:
     """See `Dataset.write`."""
-    root = Path(folder)
+    root = Path(arguments.file_path(folder, "folder"))
     if root.exists() and not root.is_dir():
         raise NotADirectoryError(20, "is a file; a folder is wanted", str(root))
     _claim(root, dataset)

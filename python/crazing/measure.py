@@ -214,6 +214,8 @@ def as_mask(picture: ArrayLike, *, level: float = 0.5, dark: bool = False) -> ND
     array([[ True, False]])
     """
     level = number(level, "level")
+    if not isinstance(dark, (bool, np.bool_)):
+        raise TypeError(f"dark is {arguments.found(dark)}; True or False is wanted")
     if isinstance(picture, (str, os.PathLike)):
         raise TypeError(f"mask is {os.fspath(picture)!r}; pixels are wanted: crazing.images.read_image reads a file")
     array = arguments.regular(picture, "mask")

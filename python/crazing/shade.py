@@ -19,6 +19,12 @@ _SKY = 0.32
 #: How much of the light a smooth surface that is no metal mirrors straight back.
 _MIRROR = 0.04
 
+#: Brightest exposure; all that is not black is white long before.
+_BRIGHTEST = 1e6
+
+#: Lowest sine of the lamp's height: the light on a level surface is a division by it.
+_LOWEST = 1e-6
+
 #: Most pixels that a shadow is followed over.
 _REACH = 48
 
@@ -62,11 +68,15 @@ def shade(texture: Texture, *, light: ArrayLike = (-0.55, 0.65, 0.8), exposure: 
     missing = [name for name in ("color", "normal", "ao", "height") if name not in texture]
     if missing:
         raise ValueError(f"the texture lacks {', '.join(missing)}; ask for these maps")
-    exposure = arguments.number(exposure, "exposure", low=0.0)
+    exposure = arguments.number(exposure, "exposure", low=0.0, high=_BRIGHTEST)
     lamp = arguments.real_array(light, "light")
     if lamp.shape != (3,) or not np.isfinite(lamp).all() or not lamp[2] > 0:
         raise ValueError(f"light is {light!r}; three finite numbers, the last above 0, are wanted")
-    sun = (lamp / np.linalg.norm(lamp)).astype(np.float32)
+    with np.errstate(over="ignore"):
+        away = float(np.linalg.norm(lamp))
+    if not (0.0 < away < np.inf and lamp[2] >= away * _LOWEST):
+        raise ValueError(f"light is {light!r}; a lamp surely above the horizon, from 1e-150 to 1e150 off, is wanted")
+    sun = (lamp / away).astype(np.float32)
     albedo = _linear()[texture["color"]]
     normal = texture["normal"]
     facing = np.maximum(normal @ sun, 0.0) * _sunlit(texture, sun)

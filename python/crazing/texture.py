@@ -209,6 +209,9 @@ class Texture(Mapping[str, NDArray[Any]]):
     crack: Any
 
     def __post_init__(self) -> None:
+        given: Any = self.maps
+        if not (isinstance(given, dict) and all(isinstance(array, np.ndarray) for array in given.values())):
+            raise TypeError(f"maps is {arguments.found(given)}; arrays by the names of maps are wanted")
         for array in self.maps.values():
             array.flags.writeable = False
 

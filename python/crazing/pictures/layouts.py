@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from crazing.arguments import choice
+from crazing.arguments import choice, found
 
 #: Words of pictures that no library of materials has, in the style of each layout.
 _OWN = ("mask", "wear", "distance", "direction", "cell", "strand", "generation")
@@ -90,6 +90,8 @@ def resolution(pixels: int) -> str:
 
 def checked_name(name: str) -> str:
     """A name of a material that is safe in a file's name and in XML."""
+    if not isinstance(name, str):
+        raise TypeError(f"name is {found(name)}; text is wanted")
     if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}", name):
         raise ValueError(f"name is {name!r}; up to 64 letters, digits, dots, dashes and underscores are wanted")
     return name

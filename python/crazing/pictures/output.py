@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import os
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from crazing import _core, arguments
 from crazing.extras import require
@@ -16,6 +19,9 @@ from crazing.pictures import layouts, scene
 from crazing.pictures.job import Job, Maps, Picture, Progress
 from crazing.pictures.samples import ENDINGS, FORMATS, PICTURES, REACH, Format
 from crazing.versions import algorithm_version
+
+#: Most metres of a data unit; pixels a metre are then numbers of a file still.
+_FARTHEST = 1e30
 
 #: What `maps="all"` makes: every map, and the one that is packed of three.
 ALL = ("normal", *(name for name in PICTURES if not name.startswith("normal")))
@@ -54,7 +60,7 @@ class Wanted:
             arguments.choice(self.format, "format", FORMATS)
         layouts.named(self.layout)
         layouts.checked_name(self.name)
-        if not arguments.number(self.metres, "metres", low=0.0) > 0:
+        if not arguments.number(self.metres, "metres", low=0.0, high=_FARTHEST) > 0:
             raise ValueError("metres is 0; a number above 0, the size of a data unit, is wanted")
 
 
@@ -186,6 +192,8 @@ def words(maps: str | Iterable[str]) -> tuple[str, ...]:
     """Names of maps as a tuple."""
     if isinstance(maps, str):
         return ALL if maps == "all" else (maps,)
+    if not np.iterable(maps):
+        raise TypeError(f"maps is {arguments.found(maps)}; names of maps are wanted")
     return tuple(maps)
 
 
@@ -198,6 +206,12 @@ def shown_by(drawing: Any, origin: Mapping[str, Any]) -> Shown:
         "material": dataclasses.asdict(drawing.material),
         "relief": drawing.relief,
     }
+    if not isinstance(origin, Mapping):
+        raise TypeError(f"origin is {arguments.found(origin)}; a mapping is wanted")
+    try:
+        json.dumps(dict(origin), allow_nan=False)
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"origin cannot be written as JSON: {error}") from None
     record = {
         "algorithm_version": algorithm_version,
         "version": _core.__version__,
