@@ -251,6 +251,12 @@ ABSURD: dict[str, tuple[Callable[[], Any], tuple[type[Exception], ...], str]] = 
     "no scale": (lambda: cz.sample.normal(5, scale=NAN), (ValueError,), r"scale\[0\] is nan"),
     "a negative seed": (lambda: cz.sample.uniform(5, rng=-1), (ValueError,), "rng is -1"),
     "a seed of text": (lambda: cz.sample.uniform(5, rng="seven"), (TypeError, ValueError), "rng is 'seven'"),
+    "no such first": (lambda: cz.compare(SQUARE, "best"), (ValueError,), "first is 'best'; one of"),
+    "no such second": (
+        lambda: cz.compare(SQUARE, "one-step", "two-pass"),
+        (ValueError,),
+        "second is 'two-pass'; one of",
+    ),
     "no such method": (lambda: cz.crust(SQUARE, method="best"), (ValueError,), "method is 'best'; one of"),
     "no such cells": (lambda: cz.maze(SQUARE, cells="round"), (ValueError,), "cells is 'round'; one of"),
     "a period of nothing": (lambda: cz.diagram(SQUARE, period=(0, 1)), (ValueError,), "period is"),

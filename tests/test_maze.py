@@ -143,7 +143,7 @@ def test_a_square_grid_has_no_door_through_a_corner() -> None:
 
 def test_bad_cells_are_named() -> None:
     m = cz.maze(cz.sample.uniform(10, rng=1), rng=1)
-    with pytest.raises(cz.CrazingError, match=r"target.* is 10; it must be at least 0 and less than 10"):
+    with pytest.raises(cz.CrazingError, match="target is 10; a cell from 0 to less than 10 is wanted"):
         m.solve(0, 10)
     with pytest.raises(cz.CrazingError, match="start"):
         cz.maze(cz.sample.uniform(10, rng=1), start=10)

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from crazing.arguments import real_array
+from crazing.arguments import choice, real_array
 from crazing.diagram import Diagram, as_diagram
 from crazing.graph import PlanarGraph
 from crazing.record import Record
-from crazing.skeleton import Skeleton, medial_axis
+from crazing.skeleton import METHODS, Skeleton, medial_axis
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -272,6 +272,8 @@ def compare(
     crust edges            ...
     seconds                ...
     """
+    choice(first, "first", METHODS)
+    choice(second, "second", METHODS)
     diagram = as_diagram(points)
     results, seconds = [], []
     for method in (first, second):

@@ -134,8 +134,7 @@ class Maze(Drawing, Record):
         >>> int(way[0]), int(way[-1])
         (0, 40)
         """
-        ends = count(source, "source"), count(target, "target")
-        return _core.solve(*self._doors, *ends)
+        return _core.solve(*self._doors, self._cell(source, "source"), self._cell(target, "target"))
 
     def distances(self, source: int | None = None) -> NDArray[np.int32]:
         """Count the doors between a cell and every other.
@@ -162,10 +161,16 @@ class Maze(Drawing, Record):
         >>> m.distances(1)
         array([1, 0, 1, 2], dtype=int32)
         """
-        source = self.start if source is None else count(source, "source")
+        source = self.start if source is None else self._cell(source, "source")
         if source < 0:  # There is no cell to start from.
             return np.empty(0, dtype=np.int32)
         return _core.distances(*self._doors, source)
+
+    def _cell(self, value: Any, name: str) -> int:
+        cell = count(value, name)
+        if cell >= self.size:
+            raise CrazingError(f"{name} is {cell}; a cell from 0 to less than {self.size} is wanted")
+        return cell
 
     def longest(self) -> NDArray[np.int32]:
         """Find the longest way that the maze has: its ends make the hardest entrance and exit.

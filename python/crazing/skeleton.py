@@ -21,6 +21,8 @@ Mask: TypeAlias = NDArray[np.bool_]
 
 #: Methods of `crust`, and ways to choose poles.
 CRUSTS = ("two-pass", "one-step", "gabriel", "nn")
+#: Methods of `medial_axis`.
+METHODS = ("edge-filter", "one-step", "initial", "poles")
 VARIANTS = ("thesis", "amenta")
 #: Points that feeding back may lead to: as many skeletons are kept, and the next would be some three times as large.
 MOST = 1 << 24
@@ -254,6 +256,8 @@ def curve(points: ArrayLike | Diagram) -> PlanarGraph:
         If there are fewer than three distinct samples, or all lie on one line.
     CrazingError
         If a coordinate is NaN or infinite.
+    TypeError, ValueError
+        If `points` has not that shape, or is a periodic or constrained diagram.
 
     Notes
     -----
@@ -305,6 +309,8 @@ def crust(points: ArrayLike | Diagram, *, method: str = "two-pass") -> PlanarGra
         If there are fewer than three distinct samples, or all lie on one line.
     CrazingError
         If a coordinate is NaN or infinite.
+    TypeError, ValueError
+        If `points` has not that shape, or is a periodic or constrained diagram, or the method is another.
 
     Notes
     -----
@@ -349,6 +355,8 @@ def poles(points: ArrayLike | Diagram, *, variant: str = "thesis") -> NDArray[np
         If there are fewer than three distinct samples, or all lie on one line.
     CrazingError
         If a coordinate is NaN or infinite.
+    TypeError, ValueError
+        If `points` has not that shape, or is a periodic or constrained diagram, or the variant is another.
 
     Notes
     -----
@@ -393,6 +401,9 @@ def medial_axis(points: ArrayLike | Diagram, *, method: str = "edge-filter", var
         If there are fewer than three distinct samples, or all lie on one line.
     CrazingError
         If a coordinate is NaN or infinite.
+    TypeError, ValueError
+        If `points` has not that shape, or is a periodic or constrained diagram, or the method or variant is
+        another.
 
     Notes
     -----
@@ -408,14 +419,14 @@ def medial_axis(points: ArrayLike | Diagram, *, method: str = "edge-filter", var
     >>> bool((s.crust_mask ^ s.axis_mask).all())
     True
     """
+    choice(method, "method", METHODS)
     methods: dict[str, Callable[[Diagram], Skeleton]] = {
         "edge-filter": _edge_filter,
         "one-step": _one_step,
         "initial": _initial,
         "poles": partial(_poles, choice(variant, "variant", VARIANTS)),
     }
-    skeleton_of = methods[choice(method, "method", methods)]
-    return skeleton_of(as_diagram(points))
+    return methods[method](as_diagram(points))
 
 
 def nested(
