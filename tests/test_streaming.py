@@ -146,6 +146,36 @@ def test_another_texture_does_not_go_on_with_the_parts(tmp_path, monkeypatch, cr
     np.testing.assert_array_equal(read(tmp_path / "a.png"), read(tmp_path / "b.png"))
 
 
+@pytest.mark.parametrize("ending", [".png", ".tif", ".exr", ".zarr"])
+@pytest.mark.parametrize("at", [64, 128])
+@pytest.mark.parametrize("seed", [3, 4])
+def test_a_run_that_another_takes_over_stops(tmp_path, monkeypatch, crack, ending, at, seed) -> None:
+    """It would put the unfinished file of the other in its place."""
+    monkeypatch.setattr(job, "BANDS", (64,))
+    target = tmp_path / f"height{ending}"
+
+    def other(done: int, total: int) -> None:
+        if done == at:
+            with pytest.raises(Stop):
+                cz.write_texture(crack, target, 128, maps="height", seed=seed, progress=stopping(64))
+
+    with pytest.raises(cz.CrazingError, match=rf"height\{ending} is being made by another run as well"):
+        cz.write_texture(crack, target, 128, maps="height", seed=3, progress=other)
+    assert not target.exists()
+    cz.write_texture(crack, target, 128, maps="height", seed=seed)
+    cz.write_texture(crack, tmp_path / f"plain{ending}", 128, maps="height", seed=seed)
+    np.testing.assert_array_equal(read(target), read(tmp_path / f"plain{ending}"))
+    assert not list(tmp_path.glob(".*"))
+
+
+def test_what_cannot_be_written_is_named_as_it_was_given(tmp_path, crack) -> None:
+    target = tmp_path / f"{'a' * 250}.png"
+    with pytest.raises(OSError, match=r"aaa\.png'$") as found:
+        cz.write_texture(crack, target, 8, maps="mask")
+    assert found.value.filename == str(target)
+    assert not list(tmp_path.iterdir())
+
+
 def test_a_run_that_stops_before_its_first_band_leaves_nothing(tmp_path, crack) -> None:
     with pytest.raises(Stop):
         cz.write_texture(crack, tmp_path / "a", 64, progress=stopping(0))

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import json
+import secrets
 import shutil
 from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from crazing.errors import CrazingError
 from crazing.pictures import exr, png, tiff, zarr
 from crazing.pictures.about import About
 from crazing.pictures.parts import State
@@ -26,7 +28,7 @@ Progress = Callable[[int, int], object]
 BANDS = (256, 128, 64, 32, 16)
 BAND_BYTES = 1 << 27
 
-_JOURNAL, _RECORD = "journal.jsonl", "record.json"
+_JOURNAL, _RECORD, _OWNER = "journal.jsonl", "record.json", "owner"
 
 
 class Writer(Protocol):
@@ -80,18 +82,23 @@ class Job:
     """Distances that whole numbers hold, data units."""
     part: Path
     """The folder of unfinished files."""
+    token: str = field(default_factory=lambda: secrets.token_hex(8))
+    """Tells this run from others that make the same files."""
 
     def run(self, progress: Progress | None = None) -> None:
         """Make the files; what a stopped run left in the folder of parts is gone on with.
 
-        Each file takes its place when all are whole. An exception leaves the finished bands for the next run.
+        Each file takes its place when all are whole. An exception leaves the finished bands for the next run. Of two
+        runs at a time the later one takes over, and the earlier one stops.
         """
         one = self.draw(0, 1)
         row = sum(array.nbytes for array in one.values())
         band = next((rows for rows in BANDS if rows * row <= BAND_BYTES), BANDS[-1])
         writers: list[Writer] = []
+        is_begun = False
         try:
             states = self._left(band)
+            is_begun = True
             writers += (self._writer(index, one, band) for index in range(len(self.pictures)))
             done = min(writer.resume(own) for writer, own in _columns(writers, states))
             for writer, own in _columns(writers, states[:done]):
@@ -100,15 +107,36 @@ class Job:
             self._bands(writers, band, done, progress)
             for writer in writers:
                 writer.finish()
+            self._check()
+        except Exception:
+            if is_begun:
+                # Whatever else went wrong: its files were taken away.
+                self._check()
+            raise
         finally:
             for writer in writers:
                 writer.close()
-            if self.part.exists() and not _lines(self.part / _JOURNAL):
+            if self._is_own() and not _lines(self.part / _JOURNAL):
                 # Nothing that could be gone on with.
                 shutil.rmtree(self.part)
         for index, picture in enumerate(self.pictures):
             _place(self._path(index), picture.target)
         shutil.rmtree(self.part)
+
+    def _is_own(self) -> bool:
+        """Whether the folder of parts is there, and no other run has taken it over."""
+        try:
+            return (self.part / _OWNER).read_text(encoding="ascii") == self.token
+        except OSError:
+            return False
+
+    def _check(self) -> None:
+        if not self._is_own():
+            raise self._taken() from None
+
+    def _taken(self) -> CrazingError:
+        target = self.pictures[0].target
+        return CrazingError(f"{target} is being made by another run as well; one at a time is wanted")
 
     def _bands(self, writers: list[Writer], band: int, done: int, progress: Progress | None) -> None:
         """Draws a band while the one before it is written."""
@@ -118,6 +146,7 @@ class Job:
             for top in range(done * band, height, band):
                 if progress is not None:
                     progress(top, height)
+                self._check()
                 maps = self.draw(top, min(band, height - top))
                 if waiting is not None:
                     waiting.result()
@@ -150,12 +179,17 @@ class Job:
         own = json.dumps([band, [[picture.target.name, picture.record] for picture in self.pictures]])
         try:
             if (self.part / _RECORD).read_text(encoding="ascii") == own:
+                (self.part / _OWNER).write_text(self.token, encoding="ascii")
                 return _lines(self.part / _JOURNAL)
         except OSError:
             pass
         if self.part.exists():
             shutil.rmtree(self.part)
-        self.part.mkdir()
+        try:
+            self.part.mkdir()
+        except FileExistsError:
+            raise self._taken() from None
+        (self.part / _OWNER).write_text(self.token, encoding="ascii")
         (self.part / _RECORD).write_text(own, encoding="ascii")
         return []
 

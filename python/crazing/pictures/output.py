@@ -139,7 +139,13 @@ def write(
     )
     density = shown.scale / wanted.metres
     part = target.parent / f".{target.name or 'texture'}.part"
-    Job(made, shown.size, draw, (density, density), reach, part).run(progress)
+    try:
+        Job(made, shown.size, draw, (density, density), reach, part).run(progress)
+    except OSError as error:
+        if error.errno is not None and (error.filename is None or Path(error.filename).name == part.name):
+            # Of what was asked for, not of the folder beside it.
+            error.filename = str(target)
+        raise
     paths = tuple(picture.target for picture in made)
     return paths if is_file(path) else paths + _scenes(target, made, wanted, shown, density)
 
