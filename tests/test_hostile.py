@@ -100,6 +100,13 @@ SHAPELESS: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
     "a plate of no colour": (lambda: cz.Material(plate=None), ValueError, "plate is None; a sequence"),
     "a title of no text": (lambda: maze().walls.to_svg(title=3), TypeError, "title is 3; a string"),
     "a colour of no text": (lambda: maze().walls.to_svg(stroke=None), TypeError, "stroke is None; a string"),
+    "a maze that is measured": (
+        lambda: cz.measure(maze()),
+        TypeError,
+        r"source is Maze\(.*; a Crack, a PlanarGraph or",
+    ),
+    "maps that are measured": (lambda: cz.measure(cz.texture(cz.crack(SQUARE), 8)), TypeError, "source is Texture"),
+    "lines that are measured": (lambda: cz.measure(shapely.LineString(SQUARE)), TypeError, "source is <LINESTRING"),
     "a light on nothing": (lambda: cz.shade(None), TypeError, "texture is None"),
     "maps of no name": (lambda: cz.texture(cz.crack(SQUARE, rng=1), 8, maps=5), TypeError, "maps is 5"),
     "words of a picture": (

@@ -239,3 +239,10 @@ def test_a_periodic_crack_is_drawn_over_its_seams(preset: str) -> None:
     assert np.abs(wide - np.tile(one, (1, 3))[:, 120:600]).max() <= 4
     with pytest.raises(ValueError, match="bounds show"):
         cz.render(c, 8, bounds=(0, 0, 1e9, 1e9))
+
+
+def test_styles_compare_whatever_their_colours_came_in() -> None:
+    style = cz.Style(ink=(1, 2, 3), ground=(4, 5, 6, 7))
+    for form in (list, np.array):
+        other = cz.Style(ink=form([1, 2, 3]), ground=form([4, 5, 6, 7]))
+        assert other == style and hash(other) == hash(style) and repr(other) == repr(style)

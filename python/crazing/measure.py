@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,6 +13,7 @@ from crazing.arguments import areal, bounds_tuple, count, number
 from crazing.crack import Crack
 from crazing.graph import PlanarGraph
 from crazing.images import brightness
+from crazing.record import Record
 from crazing.statistics import CrackStatistics
 
 # What pixels are measured with, as in the published figures: spurs and nodes in pixels, then border, reach, step of
@@ -125,6 +127,8 @@ def measure(
         if raster is None:
             return _exact(source, _cut(source, bounds), _gauge(_EXACT, border, reach))
         picture = stamp(source, count(raster, "raster", low=1, high=1 << 14), bounds=bounds)
+    elif isinstance(source, (Record, Mapping)) or hasattr(source, "__geo_interface__"):
+        raise TypeError(f"source is {arguments.found(source)}; a Crack, a PlanarGraph or a mask of pixels is wanted")
     elif raster is not None or bounds is not None:
         raise ValueError("raster and bounds are for cracks and graphs; a mask has its own pixels")
     else:

@@ -83,8 +83,11 @@ class Style:
     min_width: float = 0.0
 
     def __post_init__(self) -> None:
-        rgba(self.ink, "ink")
-        rgba(self.ground, "ground")
+        for name in ("ink", "ground"):
+            color, parts = getattr(self, name), rgba(getattr(self, name), name)
+            if color is not None and not isinstance(color, str):
+                # Of a list or an array, which have no equality or hash that a style could use.
+                object.__setattr__(self, name, parts[: len(color)])
         if self.width is not None:
             arguments.number(self.width, "width", low=0.0)
         arguments.number(self.min_width, "min_width", low=0.0)
