@@ -2,7 +2,7 @@
 //!
 //! Half-edge `2k` runs from the first to the second end of edge `k`, `2k + 1` back; the face of a half-edge lies to its
 //! left. A walk that turns as far left as it can, goes round a face. Where cracks float inside a plate, a ray to the
-//! left of each finds the walk around it. Without a period the bounds close the plates along them.
+//! left of each finds the walk around it. Without a period the bounds close the plates along them (`border`).
 
 use crate::error::Result;
 use crate::graph::Point;
@@ -10,10 +10,7 @@ use crate::parallel;
 use crate::watch::Watch;
 
 use super::Pattern;
-use super::walks::Walks;
-
-/// How near to the bounds a vertex lies on them, as a part of their size.
-const ON_BORDER: f64 = 1e-9;
+use super::walks::{Walk, Walks};
 
 /// The plates beside the edges.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -31,7 +28,11 @@ pub(super) struct Net {
     pub(super) places: Vec<Point>,
     pub(super) edges: Vec<[usize; 2]>,
     pub(super) steps: Vec<Point>,
+    /// From the second vertex of each edge to its second end, in whole periods.
+    pub(super) turns: Vec<Point>,
     pub(super) period: Option<Point>,
+    /// From the first end of edges that enter the bounds to where they do.
+    pub(super) leads: Vec<(usize, Point)>,
     /// Of the crack alone.
     own: usize,
 }
@@ -42,13 +43,23 @@ pub(super) struct Net {
 /// [`crate::Error::BadIndex`] or [`crate::Error::BadLength`] for arrays that do not fit; [`crate::Error::Interrupted`].
 pub fn plates(pattern: &Pattern<'_>, bounds: [f64; 4], period: Option<Point>, watch: Watch<'_>) -> Result<Plates> {
     pattern.check()?;
-    let net = Net::new(pattern, bounds, period);
+    let mut net = Net::new(pattern, bounds, period);
     let (starts, leaving) = net.leaving();
     watch.poll()?;
-    let walks = net.walks(&after(&starts, &leaving));
+    let after = after(&starts, &leaving);
+    let mut walks = net.walks(&after);
     watch.poll()?;
+    let is_level = walks.walks.iter().any(Walk::is_level);
+    if is_level {
+        net.tip();
+        walks = net.walks(&after);
+    }
     let outermost = Net::outermost(&net.parents(&walks, watch)?);
-    Ok(net.number(&walks, &outermost))
+    let mut found = net.number(&walks, &outermost);
+    if is_level {
+        found.middles.as_flattened_mut().iter_mut().for_each(|middle| *middle = [-middle[1], middle[0]]);
+    }
+    Ok(found)
 }
 
 pub(super) fn add(a: Point, b: Point) -> Point {
@@ -61,7 +72,8 @@ pub(super) fn less(a: Point, b: Point) -> Point {
 
 /// Grows with the angle of a vector, from -2 to 2.
 pub(super) fn turn(v: Point) -> f64 {
-    let part = v[1] / (v[0].abs() + v[1].abs());
+    // Of no vector at all 0, on any processor.
+    let part = v[1] / (v[0].abs() + v[1].abs()).max(f64::MIN_POSITIVE);
     if v[0] >= 0.0 {
         part
     } else if v[1] >= 0.0 {
@@ -69,6 +81,12 @@ pub(super) fn turn(v: Point) -> f64 {
     } else {
         -2.0 - part
     }
+}
+
+/// The order, counter-clockwise, of half-edges that lie on top of each other.
+pub(super) fn rank(half: usize) -> isize {
+    let edge = (half / 2) as isize;
+    if half.is_multiple_of(2) { edge } else { -edge }
 }
 
 /// Behind every half-edge: at its end the next one clockwise from the way back.
@@ -86,60 +104,27 @@ impl Net {
     fn new(pattern: &Pattern<'_>, bounds: [f64; 4], period: Option<Point>) -> Self {
         let places = pattern.vertices.to_vec();
         let edges: Vec<[usize; 2]> = pattern.edges.iter().map(|edge| edge.map(|vertex| vertex as usize)).collect();
-        let step = |(k, edge): (usize, &[usize; 2])| {
-            let step = less(places[edge[1]], places[edge[0]]);
-            let shift =
-                pattern.shifts.get(k).zip(period).map_or([0.0; 2], |(shift, period)| {
-                    [f64::from(shift[0]) * period[0], f64::from(shift[1]) * period[1]]
-                });
-            add(step, shift)
+        let turn =
+            |k: usize| pattern.shifts.get(k).filter(|_| period.is_some()).map_or([0.0; 2], |by| by.map(f64::from));
+        let turns: Vec<Point> = (0..edges.len()).map(turn).collect();
+        let [width, height] = period.unwrap_or_default();
+        let step = |(edge, turn): (&[usize; 2], &Point)| {
+            add(less(places[edge[1]], places[edge[0]]), [turn[0] * width, turn[1] * height])
         };
-        let steps = edges.iter().enumerate().map(step).collect();
+        let steps = edges.iter().zip(&turns).map(step).collect();
         let own = edges.len();
-        let mut net = Self { places, edges, steps, period, own };
+        let mut net = Self { places, edges, steps, turns, period, leads: Vec::new(), own };
         if period.is_none() {
             net.close(bounds);
         }
         net
     }
 
-    /// Adds the bounds as edges, from vertex to vertex on them.
-    fn close(&mut self, bounds: [f64; 4]) {
-        let [xmin, ymin, xmax, ymax] = bounds;
-        let (width, height) = (xmax - xmin, ymax - ymin);
-        let near = ON_BORDER * width.max(height);
-        let mut used = vec![false; self.places.len()];
-        self.edges.as_flattened().iter().for_each(|&vertex| used[vertex] = true);
-        let corners = [[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]];
-        let first = self.places.len();
-        self.places.extend(corners);
-        used.extend([true; 4]);
-        // Places along the bounds, counter-clockwise; a vertex in a corner comes after the corner itself.
-        let along = |[x, y]: Point| {
-            let (right, up) = ((x - xmin).clamp(0.0, width), (y - ymin).clamp(0.0, height));
-            let is_in = (xmin - near..=xmax + near).contains(&x) && (ymin - near..=ymax + near).contains(&y);
-            if !is_in {
-                None
-            } else if (y - ymin).abs() <= near {
-                Some(right)
-            } else if (x - xmax).abs() <= near {
-                Some(width + up)
-            } else if (y - ymax).abs() <= near {
-                Some(width + height + (width - right))
-            } else if (x - xmin).abs() <= near {
-                Some(2.0 * width + height + (height - up))
-            } else {
-                None
-            }
-        };
-        let on =
-            |vertex: usize| along(self.places[vertex]).filter(|_| used[vertex]).map(|at| (at, vertex < first, vertex));
-        let mut border: Vec<(f64, bool, usize)> = (0..self.places.len()).filter_map(on).collect();
-        border.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-        for (from, to) in border.iter().zip(border.iter().cycle().skip(1)) {
-            self.edges.push([from.2, to.2]);
-            self.steps.push(less(self.places[to.2], self.places[from.2]));
-        }
+    /// Turns all by a right angle clockwise: what runs around a torus from side to side then runs up or down.
+    fn tip(&mut self) {
+        let vectors = self.places.iter_mut().chain(&mut self.steps).chain(&mut self.turns);
+        vectors.for_each(|vector| *vector = [vector[1], -vector[0]]);
+        self.period = self.period.map(|[width, height]| [height, width]);
     }
 
     /// Where a half-edge starts, and its vector.
@@ -161,7 +146,7 @@ impl Net {
         }
         let turns = parallel::map(leaving.len(), |half| turn(self.half(half).1));
         for vertex in starts.windows(2) {
-            leaving[vertex[0]..vertex[1]].sort_by(|&a, &b| turns[a].total_cmp(&turns[b]));
+            leaving[vertex[0]..vertex[1]].sort_by(|&a, &b| turns[a].total_cmp(&turns[b]).then(rank(a).cmp(&rank(b))));
         }
         (starts, leaving)
     }
@@ -196,6 +181,9 @@ impl Net {
             seen[1].1 = add(seen[1].1, step);
             found.plates.push(seen.map(|(plate, _)| plate));
             found.middles.push(seen.map(|(_, middle)| middle));
+        }
+        for &(k, lead) in &self.leads {
+            found.middles[k] = found.middles[k].map(|middle| add(middle, lead));
         }
         found
     }

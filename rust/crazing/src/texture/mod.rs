@@ -9,6 +9,7 @@ mod around;
 mod bands;
 mod beneath;
 mod bins;
+mod border;
 mod coverage;
 mod cut;
 mod dust;

@@ -1,7 +1,10 @@
 //! Rays to the left, to find what lies around a crack that floats.
 
-use super::faces::{Net, add, less};
+use super::faces::{Net, less};
 use crate::graph::Point;
+
+/// What rounding may move the end of an edge by, as a part of a row.
+const ROUNDING: f64 = 1e-9;
 
 /// Edges by the rows of a grid that they meet.
 pub(super) struct Rows {
@@ -14,8 +17,10 @@ impl Rows {
     /// The rows in which rays at some heights run; the others stay empty.
     pub(super) fn new(net: &Net, rays: impl Iterator<Item = f64>) -> Self {
         let ends = |k: usize| {
-            let y = net.places[net.edges[k][0]][1];
-            (y.min(y + net.steps[k][1]), y.max(y + net.steps[k][1]))
+            let ([a, b], period) =
+                (net.edges[k].map(|vertex| net.places[vertex][1]), net.period.unwrap_or_default()[1]);
+            let b = b + net.turns[k][1] * period;
+            (a.min(b), a.max(b))
         };
         let all = 0..net.edges.len();
         let low = all.clone().map(|k| ends(k).0).fold(f64::INFINITY, f64::min);
@@ -28,7 +33,7 @@ impl Rows {
         rays.for_each(|y| wanted[rows.at(net, y)] = true);
         for k in all {
             let (low, high) = ends(k);
-            let (first, last) = (rows.row(low), rows.row(high));
+            let (first, last) = (rows.row(low - ROUNDING * rows.height), rows.row(high + ROUNDING * rows.height));
             for row in first..=last.min(first + count as i64 - 1) {
                 let row = row.rem_euclid(count as i64) as usize;
                 if wanted[row] {
@@ -49,31 +54,60 @@ impl Rows {
         (if net.period.is_some() { row.rem_euclid(count) } else { row.clamp(0, count - 1) }) as usize
     }
 
-    /// The half-edge whose face a ray to the left of a place runs through, and from the place to its start.
-    pub(super) fn left_of(&self, net: &Net, place: Point) -> Option<(usize, Point)> {
-        let mut best: Option<(f64, usize, Point)> = None;
+    /// The half-edge whose face a ray to the left of a vertex runs through, and from the vertex to its start.
+    pub(super) fn left_of(&self, net: &Net, vertex: usize) -> Option<(usize, Point)> {
+        let place = net.places[vertex];
+        let period = net.period.unwrap_or_default();
+        // The same for all edges that end there, so that no ray slips through between them.
+        let image = |vertex: usize, turns: Point| {
+            let from = less(net.places[vertex], place);
+            [from[0] + turns[0] * period[0], from[1] + turns[1] * period[1]]
+        };
+        let mut best: Option<Hit> = None;
         for &k in &self.rows[self.at(net, place[1])] {
-            let (start, step) = (net.places[net.edges[k as usize][0]], net.steps[k as usize]);
-            let mut from = less(start, place);
-            if let Some(period) = net.period {
-                // The image whose lower end is the last at or below the ray.
-                let low = from[1].min(from[1] + step[1]);
-                from[1] -= (low / period[1]).ceil() * period[1];
-            }
-            let (low, high) = (from[1].min(from[1] + step[1]), from[1].max(from[1] + step[1]));
-            if !(low <= 0.0 && 0.0 < high) {
-                continue;
-            }
-            let at = from[0] - from[1] / step[1] * step[0];
-            let back = net.period.map_or(0.0, |period| ((at / period[0]).floor() + 1.0) * period[0]);
-            let (at, from) = (at - back, [from[0] - back, from[1]]);
-            if at < 0.0 && best.is_none_or(|(other, ..)| at > other) {
-                // The face to the right of the edge, as one looks up.
-                let (half, from) =
-                    if step[1] > 0.0 { (2 * k as usize + 1, add(from, step)) } else { (2 * k as usize, from) };
-                best = Some((at, half, from));
+            let ([a, b], turns) = (net.edges[k as usize], net.turns[k as usize]);
+            let (start, end) = (image(a, [0.0; 2])[1], image(b, turns)[1]);
+            // The images that may meet the ray.
+            let far = |y: f64| net.period.map_or(0.0, |period| -y / period[1]);
+            for by in far(start.max(end)).floor() as i64..=far(start.min(end)).ceil() as i64 {
+                let by = by as f64;
+                let ends = [image(a, [0.0, by]), image(b, [turns[0], turns[1] + by])];
+                if let Some(hit) = Hit::new(k as usize, ends, net.period.map(|period| period[0])) {
+                    best = Some(best.filter(|best| !hit.is_right_of(best)).unwrap_or(hit));
+                }
             }
         }
-        best.map(|(_, half, from)| (half, from))
+        best.map(|hit| (hit.half, hit.start))
+    }
+}
+
+/// What a ray to the left meets.
+struct Hit {
+    /// How far to the right; it is less than 0.
+    at: f64,
+    /// The vector of the edge, upwards.
+    up: Point,
+    /// To the right of the edge, as one looks up; and from the vertex to its start.
+    half: usize,
+    start: Point,
+}
+
+impl Hit {
+    /// Where an edge with these ends meets a ray to the left, on a torus for the first time.
+    fn new(k: usize, [a, b]: [Point; 2], period: Option<f64>) -> Option<Self> {
+        let (low, high, half, start) = if a[1] <= b[1] { (a, b, 2 * k + 1, b) } else { (b, a, 2 * k, a) };
+        if !(low[1] <= 0.0 && 0.0 < high[1]) {
+            return None;
+        }
+        let up = less(high, low);
+        let at = low[0] - low[1] / up[1] * up[0];
+        let back = period.map_or(0.0, |period| ((at / period).floor() + 1.0) * period);
+        (at - back < 0.0).then_some(Self { at: at - back, up, half, start: [start[0] - back, start[1]] })
+    }
+
+    /// Of edges that meet the ray in one place, above it the one to the right comes first.
+    fn is_right_of(&self, other: &Self) -> bool {
+        let leans = self.up[0] * other.up[1] - other.up[0] * self.up[1];
+        self.at > other.at || (self.at == other.at && leans > 0.0)
     }
 }

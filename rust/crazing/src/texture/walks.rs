@@ -1,6 +1,6 @@
 //! Walks around the faces of a crack, and which of them go round one and the same face.
 
-use super::faces::{Net, add, less};
+use super::faces::{Net, add, less, rank, turn};
 use super::rays::Rows;
 use crate::error::Result;
 use crate::graph::Point;
@@ -21,7 +21,8 @@ pub(super) struct Walk {
     /// The way round the torus that it ends by, in whole periods.
     wraps: Point,
     pub(super) middle: Point,
-    /// The half-edge that starts farthest to the left; of a walk round the torus, as seen along that way.
+    /// The half-edge that starts farthest to the left; of a walk round the torus, as seen along that way. Of several the
+    /// one to whose left a ray to the left runs, if there is one.
     left: usize,
 }
 
@@ -33,7 +34,12 @@ impl Walk {
 
     /// Whether its face has a number of its own: all that is neither closed nor a strip round the torus is one.
     pub(super) fn is_alone(&self) -> bool {
-        self.closes || self.wraps[1] != 0.0
+        self.closes || self.wraps != [0.0; 2]
+    }
+
+    /// Whether it runs round the torus from side to side, neither up nor down.
+    pub(super) fn is_level(&self) -> bool {
+        self.wraps[0] != 0.0 && self.wraps[1] == 0.0
     }
 }
 
@@ -65,27 +71,35 @@ impl Net {
 
     /// What a walk along some half-edges is.
     fn walk(&self, halves: &[usize], of: &[(usize, Point)], wraps: Point) -> Walk {
-        let (own, lean) = (of[halves[0]].0, self.lean(wraps));
-        let (mut area, mut around, mut sum, mut mean) = (0.0, 0.0, [0.0; 2], [0.0; 2]);
-        let mut left = (halves[0], f64::INFINITY);
-        for &half in halves {
+        let lean = self.lean(wraps);
+        let (mut area, mut sum, mut mean) = (0.0, [0.0; 2], [0.0; 2]);
+        let (mut left, mut aside, mut opens) = (halves[0], f64::INFINITY, false);
+        for (&before, &half) in halves.last().into_iter().chain(halves).zip(halves) {
             let at = of[half].1;
             let to = add(at, self.half(half).1);
             let slice = cross(at, to);
             area += slice;
-            // What is passed on both sides encloses nothing, whatever roundings say.
-            around += if of[half ^ 1].0 == own { 0.0 } else { slice };
             sum = add(sum, [slice * (at[0] + to[0]), slice * (at[1] + to[1])]);
             mean = add(mean, at);
-            let aside = at[0] - lean * at[1];
-            if aside < left.1 {
-                left = (half, aside);
+            let own = at[0] - lean * at[1];
+            if own < aside || (own == aside && !opens && self.opens_left(before, half)) {
+                (left, aside, opens) = (half, own, self.opens_left(before, half));
             }
         }
-        let closes = around > 0.0 && area > 0.0 && wraps == [0.0; 2];
-        let middle =
-            if closes { sum.map(|part| part / (3.0 * area)) } else { mean.map(|part| part / halves.len() as f64) };
-        Walk { closes, wraps, middle, left: left.0 }
+        // What closes a face from outside lies to the right of its leftmost corner.
+        let closes = !opens && wraps == [0.0; 2];
+        let middle = if closes && area > 0.0 {
+            sum.map(|part| part / (3.0 * area))
+        } else {
+            mean.map(|part| part / halves.len() as f64)
+        };
+        Walk { closes, wraps, middle, left }
+    }
+
+    /// Whether the corner between two half-edges of a walk, one behind the other, holds what lies straight to its left.
+    fn opens_left(&self, before: usize, half: usize) -> bool {
+        let place = |half: usize| (turn(self.half(half).1), rank(half));
+        place(half) >= place(before ^ 1)
     }
 
     /// How far to the right a way round the torus leads for every unit up.
@@ -103,7 +117,7 @@ impl Net {
         for (id, walk) in walks.walks.iter().enumerate() {
             watch.poll_at(id)?;
             let start = walks.of[walk.left].1;
-            let hit = walk.looks_left().then(|| rows.left_of(self, self.places[self.half(walk.left).0])).flatten();
+            let hit = walk.looks_left().then(|| rows.left_of(self, self.half(walk.left).0)).flatten();
             parents.push(hit.map(|(half, to_start)| {
                 let (parent, at) = walks.of[half];
                 // The start of the parent's walk, seen from the start of this one.
