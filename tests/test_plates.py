@@ -1,4 +1,4 @@
-"""Which plate a pixel is on, where cracks float inside plates or run round the torus."""
+"""Which plate a pixel is on: the face of the drawing of middle lines in which its middle lies."""
 
 from __future__ import annotations
 
@@ -6,8 +6,75 @@ import dataclasses
 
 import numpy as np
 import pytest
+import scipy.ndimage
+import shapely
+import shapely.ops
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 import crazing as cz
+
+#: What counts as the same place: a pixel's middle nearer to a line than this may be on either side of it.
+NEAR = 1e-6
+
+#: To what shapely rounds places, so that what ends at the bounds meets them.
+GRID = 1e-10
+
+
+def around(crack):
+    """Vectors to the periods beside the first, and to the first."""
+    if crack.period is None:
+        return np.zeros((1, 2))
+    width, height = crack.period
+    return np.array([(i * width, j * height) for i in (-1, 0, 1) for j in (-1, 0, 1)])
+
+
+def middle_lines(crack):
+    ends = crack.graph.vertices[crack.graph.edges]
+    if crack.period is not None:
+        ends[:, 1] += crack.shifts * np.array(crack.period)
+    return shapely.linestrings(np.concatenate([ends + by for by in around(crack)]))
+
+
+def middles(crack, size):
+    """The middles of pixels that show the bounds."""
+    (xmin, ymin, xmax, ymax), (height, width) = crack.bounds, size
+    x, y = (np.arange(width) + 0.5) / width, 1 - (np.arange(height) + 0.5) / height
+    return np.meshgrid(xmin + x * (xmax - xmin), ymin + y * (ymax - ymin))
+
+
+def faces_of(crack, x, y):
+    """The face in which each place lies, by shapely; -1 near a line. Faces that meet across the period are one."""
+    frame, lines = shapely.box(*crack.bounds), middle_lines(crack)
+    lines = lines[shapely.intersects(lines, frame)]
+    drawing = shapely.unary_union([frame.exterior, *lines], grid_size=GRID)
+    polygons = np.array([face for face in shapely.ops.polygonize(drawing) if frame.covers(face.representative_point())])
+    tree, number = shapely.STRtree(polygons), np.arange(len(polygons))
+    for by in around(crack):
+        moved = shapely.transform(polygons, lambda places, by=by: places + by)
+        there, here = tree.query(moved, predicate="intersects")
+        meets = shapely.length(shapely.intersection(moved[there], polygons[here])) > NEAR
+        if by.any():
+            pairs = np.stack([number[there], number[here]])[:, meets]
+            number = connected_components(coo_array((np.ones(len(pairs.T)), pairs), shape=(len(polygons),) * 2))[1][
+                number
+            ]
+    places, face = shapely.points(x, y).ravel(), np.full(x.size, -1)
+    at, polygon = tree.query(places, predicate="within")
+    face[at] = number[polygon]
+    face[shapely.STRtree(lines).query(places, predicate="dwithin", distance=NEAR)[0]] = -1
+    return face.reshape(x.shape)
+
+
+def assert_one_to_one(face, cell):
+    """Every face has one plate and every plate one face."""
+    assert (face >= 0).mean() > 0.95
+    for numbers in np.unique(np.stack([face, cell])[:, face >= 0], axis=1):
+        assert len(np.unique(numbers)) == len(numbers)
+
+
+def assert_cells_are_faces(crack, cell):
+    assert_one_to_one(faces_of(crack, *middles(crack, cell.shape)), cell)
 
 
 @pytest.mark.parametrize("name", ["rock", "concrete-spall", "bark"])
@@ -22,37 +89,135 @@ def test_a_shifted_preset_is_the_rolled_texture(name):
 
 
 @pytest.mark.parametrize("period", [None, (1, 1)])
-@pytest.mark.parametrize("name", ["asphalt-crack", "bark", "concrete-spall", "glaze", "painting-dutch"])
-def test_plates_change_at_cracks_only(name, period):
-    side = 256
-    for seed in range(3):
+@pytest.mark.parametrize("name", ["asphalt-alligator", "bark", "concrete-spall", "glass-impact", "ice", "rock"])
+def test_plates_of_presets_are_the_faces_of_their_drawing(name, period):
+    side = 400
+    for seed in range(2):
         crack = cz.preset(name).crack(rng=seed, **({} if period is None else {"period": period}))
-        # Of one width: a wide crack is nearer than a narrow one in front of it.
-        crack = dataclasses.replace(crack, width=np.full(crack.width.shape, 1e-3))
-        maps = cz.texture(crack, side, maps=["cell", "distance"])
-        # No crack passes between two neighbours that are both farther from it than half of what is between them.
-        cell, free = maps["cell"], maps["distance"] > 0.6 / side
-        for axis in (0, 1):
-            both = free & np.roll(free, -1, axis)
-            if period is None:
-                np.moveaxis(both, axis, 0)[-1] = False
-            np.testing.assert_array_equal(cell[both], np.roll(cell, -1, axis)[both])
+        maps = cz.texture(crack, side, maps=["cell", "mask"])
+        assert_cells_are_faces(crack, maps["cell"])
+        # What is joined beside the cracks is one plate.
+        islands, count = scipy.ndimage.label(maps["mask"] == 0)
+        least, most = (
+            of(maps["cell"], islands, range(1, count + 1)) for of in (scipy.ndimage.minimum, scipy.ndimage.maximum)
+        )
+        np.testing.assert_array_equal(least, most)
 
 
-@pytest.mark.parametrize(("sideways", "swapped"), [(0, False), (1, False), (1, True)])
-def test_strips_round_the_torus_are_two_plates(sideways, swapped):
-    """Two cracks round the torus, upright or slanting, and a piece that floats between them."""
-    vertices, shifts = [], []
-    for x in (0.2, 0.7):
-        half = x + 0.5 * sideways
-        vertices += [(x, 0.1), (half % 1, 0.6)]
-        shifts += [(int(half), 0), (sideways - int(half), 1)]
-    vertices += [(0.4 + 0.2 * sideways, 0.3), (0.5 + 0.2 * sideways, 0.3)]
-    places, turns = np.array(vertices), np.array([*shifts, (0, 0)], dtype=np.int8)
-    if swapped:
-        places, turns = places[:, ::-1].copy(), turns[:, ::-1].copy()
-    graph = cz.PlanarGraph(places, [(0, 1), (1, 0), (2, 3), (3, 2), (4, 5)])
-    rows = np.zeros(5, dtype=np.int32)
-    crack = cz.Crack(graph, np.full((5, 2), 1e-3), rows, rows, (0.0, 0.0, 1.0, 1.0), (1.0, 1.0), turns)
-    cell = cz.texture(crack, 128, maps=["cell"])["cell"]
-    assert np.bincount(cell.ravel()).tolist() == [8192, 8192]
+def random_crack(seed, period, *, loose=0.5):
+    """Some edges of a triangulation, of any widths; without a period they run out of the bounds."""
+    rng = np.random.default_rng(seed)
+    points = rng.random((24, 2)) * (1 if period else 1.6) - (0 if period else 0.3)
+    d = cz.diagram(points, period=period)
+    kept = rng.random(len(d.edges)) < loose
+    graph = cz.PlanarGraph(d.sites, d.edges[kept])
+    count = len(graph.edges)
+    widths, rows = rng.random((count, 2)) ** 3 * 0.1, np.zeros(count, dtype=np.int32)
+    turns = d.shifts[kept] if period else None
+    return cz.Crack(graph, widths, rows, rows, (0.0, 0.0, 1.0, 1.0), period, turns)
+
+
+@pytest.mark.parametrize("period", [None, (1.0, 1.0)])
+@pytest.mark.parametrize("loose", [0.2, 0.5, 0.8])
+def test_plates_of_any_drawing_are_its_faces(period, loose):
+    for seed in range(12):
+        crack = random_crack(seed, period, loose=loose)
+        if len(crack.graph.edges):
+            assert_cells_are_faces(crack, cz.texture(crack, 96, maps=["cell"])["cell"])
+
+
+@pytest.mark.parametrize("period", [None, (1.0, 1.0)])
+def test_windows_have_the_plates_of_the_whole(period):
+    tilted = cz.Material(tilt=0.3, level=0.2, grain=0.0)
+    for seed in range(6):
+        crack = random_crack(seed, period)
+        plan = cz.texture_plan(
+            crack, (90, 130), maps=["cell", "height"], material=tilted, bounds=(-0.2, -0.1, 1.1, 0.8)
+        )
+        plan = plan if period is None else cz.texture_plan(crack, 100, maps=["cell", "height"], material=tilted)
+        whole = plan.window(0, 0, 90, 100)
+        for top, left, height, width in [
+            (0, 0, 1, 1),
+            (89, 99, 1, 1),
+            (37, 20, 9, 70),
+            (5, 64, 80, 3),
+            (66, 1, 24, 99),
+        ]:
+            part = plan.window(top, left, height, width)
+            for name, array in part.items():
+                np.testing.assert_array_equal(array, whole[name][top : top + height, left : left + width])
+
+
+def test_beyond_the_bounds_is_the_plate_of_the_nearest_place_within():
+    crack = random_crack(3, None)
+    wide = cz.texture(crack, (96, 128), maps=["cell"], bounds=(-0.5, -0.25, 1.5, 1.25))["cell"]
+    x, y = middles(dataclasses.replace(crack, bounds=(-0.5, -0.25, 1.5, 1.25)), (96, 128))
+    assert_one_to_one(faces_of(crack, *(np.clip(at, NEAR, 1 - NEAR) for at in (x, y))), wide)
+
+
+def test_a_wide_crack_hides_no_plate_behind_a_narrow_one():
+    """A wide crack and a narrow one that leaves it at an acute angle: beyond the narrow one, the wide one is nearer."""
+    graph = cz.PlanarGraph([(0, 0.4), (0.5, 0.4), (1, 0.4), (1, 0.6)], [(0, 1), (1, 2), (1, 3)])
+    rows = np.zeros(3, dtype=np.int32)
+    widths = np.array([(0.16, 0.16), (0.16, 0.16), (0.001, 0.001)])
+    maps = cz.texture(
+        cz.Crack(graph, widths, rows, rows, (0, 0, 1, 1)),
+        200,
+        maps=["cell", "height", "color"],
+        material=cz.Material(level=1.0, mottle=0.0, speckle=0.0, wear=0.0),
+    )
+    x, y = np.meshgrid((np.arange(200) + 0.5) / 200, 1 - (np.arange(200) + 0.5) / 200)
+    sector = np.where(y < 0.4, 0, np.where(y > 0.4 * x + 0.2, 1, 2))
+    sector[(x < 0.5) & (y > 0.4)] = 1
+    pairs = np.unique(np.stack([sector, maps["cell"]]).reshape(2, -1), axis=1)
+    assert pairs.shape == (2, 3)
+    # Far from all cracks a plate has one height and one colour.
+    far = np.abs(y - 0.4 * x - 0.2) > 0.1
+    for plate in range(3):
+        assert len(np.unique(maps["color"][(sector == plate) & far & (np.abs(y - 0.4) > 0.35)], axis=0)) <= 1
+
+
+def round_the_torus(way, count, *, hung):
+    """Cracks that go round the torus, so many periods to the right and up; hung with dead ends, pieces and rings."""
+    (right, up), places, edges, turns = way, [], [], []
+    apart = np.array([1 / (count * abs(up)), 0.0] if up else [0.0, 1 / count])
+
+    def draw(at, links):
+        first, cells = len(places), np.floor(at)
+        places.extend(at - cells)
+        edges.extend((first + a, first + b) for a, b in links)
+        turns.extend(cells[b] - cells[a] for a, b in links)
+
+    steps, small = 6 * max(abs(right), abs(up)), 0.16 / (count * np.hypot(right, up))
+    for k in range(count):
+        start = np.array([0.03, 0.07]) + k * apart
+        at = start + np.outer(np.arange(steps + 1) / steps, way)
+        first, whole = len(places), np.floor(at)
+        places.extend(at[:-1] - whole[:-1])
+        edges.extend((first + i, first + (i + 1) % steps) for i in range(steps))
+        turns.extend(np.diff(whole, axis=0))
+        if hung:
+            amid = start + apart / 2 + np.array(way) / 5
+            ring = amid + small * np.array([(-1, -1), (1, -1), (0, 1), (0, 0), (0.2, 0.1)])
+            draw(ring, [(0, 1), (1, 2), (2, 0), (3, 4)])
+            draw(amid + small * np.array([(-1, -0.3), (1, 0.3)]) + np.array(way) / 2, [(1, 0)])
+            tip = places[first + 1] + apart / 3
+            places.append(tip - np.floor(tip))
+            edges.append((len(places) - 1, first + 1))
+            turns.append(-np.floor(tip))
+    rows = np.zeros(len(edges), dtype=np.int32)
+    graph, widths = cz.PlanarGraph(places, edges), np.full((len(edges), 2), 1e-3)
+    return cz.Crack(graph, widths, rows, rows, (0.0, 0.0, 1.0, 1.0), (1.0, 1.0), np.array(turns, dtype=np.int8))
+
+
+WAYS = [(0, 1), (1, 0), (-1, 0), (0, -1), (1, 1), (1, -1), (2, 1), (-1, 2), (3, -1), (2, 3), (-3, -2)]
+
+
+@pytest.mark.parametrize("hung", [False, True])
+@pytest.mark.parametrize("way", WAYS)
+def test_strips_round_the_torus_are_plates_of_their_own(way, hung):
+    for count in (1, 2, 3):
+        crack = round_the_torus(way, count, hung=hung)
+        cell = cz.texture(crack, 128, maps=["cell"])["cell"]
+        assert len(np.unique(cell)) == count * (1 + hung)
+        assert_cells_are_faces(crack, cell)

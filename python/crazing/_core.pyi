@@ -216,6 +216,7 @@ def levels(
 def texture(
     pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints],
     sides: tuple[_Ints, _Floats, _Floats],
+    ends: _Bounds,
     bounds: _Bounds,
     size: tuple[int, int],
     period: tuple[float, float] | None,

@@ -49,8 +49,9 @@ class LabelledImage:
     labels : mapping of str to (H, W) array
         ``mask``: uint8, 255 where half of a pixel or more is crack, else 0; ``coverage``: uint8, the part of the
         pixel that is crack; ``strand``: int32, which crack, -1 half a pixel off cracks and farther; ``cell``: int32,
-        which plate; ``distance``: float32, pixels to the nearest crack edge, negative inside. In the order that was
-        asked for; they and the image may be written to.
+        which plate, the face between the middle lines of cracks in which the pixel's middle lies; ``distance``:
+        float32, pixels to the nearest crack edge, negative inside. In the order that was asked for; they and the image
+        may be written to.
     crack : Crack
         The geometry itself.
     preset : str

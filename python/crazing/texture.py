@@ -147,7 +147,8 @@ class TexturePlan:
             maps = self._given(out, height, width)
         window = (top, left, height, width)
         key, workers = _rng.key(self.seed), arguments.thread_count(self.threads)
-        given = (self._arrays, self._sides, self.bounds, self.size, self.period, window, self._scaled)
+        ends = arguments.bounds_tuple(self.crack.bounds)
+        given = (self._arrays, self._sides, ends, self.bounds, self.size, self.period, window, self._scaled)
         _core.texture(*given, key, workers, maps)
         return maps
 
@@ -173,8 +174,10 @@ class Texture(Mapping[str, NDArray[Any]]):
     ``mask`` (H, W) uint8 coverage by the crack; ``height`` (H, W) float32 from 0 to 1; ``normal`` (H, W, 3) float32
     unit vectors, OpenGL (+Y up); ``ao`` float32, 1 where nothing hides the sky; ``roughness`` and ``wear`` float32
     from 0 to 1; ``distance`` float32, data units to the nearest crack edge, negative inside; ``direction`` (H, W, 2)
-    float32 unit vectors along the nearest crack; ``cell`` int32, the plate; ``strand`` and ``generation`` int32,
-    -1 off the crack, which ends half a pixel beside its edge.
+    float32 unit vectors along the nearest crack; ``cell`` int32, the plate, whose pixels have their middles in one
+    and the same face of the drawing of middle lines, however wide the cracks are, and also on the crack; without a
+    period plates end at the crack's bounds, and beyond is that of the nearest place within; ``strand`` and
+    ``generation`` int32, -1 off the crack, which ends half a pixel beside its edge.
 
     Attributes
     ----------

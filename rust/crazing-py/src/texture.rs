@@ -86,13 +86,15 @@ pub(crate) fn extent(py: Python<'_>, pattern: PatternArrays<'_>, period: Option<
     detached(py, |_| crazing::texture::extent(&pattern, period)).map(|found| (found.length, found.widest))
 }
 
-/// Writes the maps in `out`, C-contiguous arrays by name, for a window (top, left, height, width) of a picture.
+/// Writes the maps in `out`, C-contiguous arrays by name, for a window (top, left, height, width) of a picture that shows
+/// `bounds`; the plates of the crack end at `ends`.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, reason = "the face passes them one by one")]
 pub(crate) fn texture(
     py: Python<'_>,
     pattern: PatternArrays<'_>,
     sides: SideArrays<'_>,
+    ends: [f64; 4],
     bounds: [f64; 4],
     size: (usize, usize),
     period: Option<[f64; 2]>,
@@ -106,7 +108,7 @@ pub(crate) fn texture(
     let pattern = view(&pattern)?;
     let middles = rows::<f64, 4>(&sides.1)?;
     let middles = middles.as_flattened().as_chunks::<2>().0.as_chunks::<2>().0;
-    let sides = Sides { plates: rows(&sides.0)?, middles, reaches: sides.2.as_slice()? };
+    let sides = Sides { plates: rows(&sides.0)?, middles, reaches: sides.2.as_slice()?, bounds: ends };
     let view = View { bounds, height: size.0, width: size.1, period };
     let (top, left, height, width) = window;
     let window = Window { top, left, height, width };

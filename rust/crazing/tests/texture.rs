@@ -7,6 +7,8 @@ use crazing::{Error, Watch};
 /// Of all maps below, by any compiler, profile, processor and number of threads.
 const GOLDEN: u64 = 13_352_380_562_247_642_398;
 
+const BOUNDS: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
+
 /// A spoked wheel of tapers, some of them crossing the edge of the period.
 struct Wheel {
     vertices: Vec<[f64; 2]>,
@@ -79,8 +81,8 @@ fn material() -> Material {
 
 /// Every map of a window as bytes.
 fn all(wheel: &Wheel, side: usize, window: Window, threads: usize) -> Vec<u8> {
-    let found = plates(&wheel.pattern(), [0.0, 0.0, 1.0, 1.0], Some([1.0; 2]), Watch::default()).unwrap();
-    let sides = Sides { plates: &found.plates, middles: &found.middles, reaches: &found.reaches };
+    let found = plates(&wheel.pattern(), BOUNDS, Some([1.0; 2]), Watch::default()).unwrap();
+    let sides = Sides { plates: &found.plates, middles: &found.middles, reaches: &found.reaches, bounds: BOUNDS };
     let pixels = window.height * window.width;
     let mut bytes = vec![vec![0_u8; pixels], vec![0; 3 * pixels]];
     let mut floats: Vec<Vec<f32>> = [1, 3, 1, 1, 1, 1, 2].iter().map(|channels| vec![0.0; channels * pixels]).collect();
@@ -102,7 +104,7 @@ fn all(wheel: &Wheel, side: usize, window: Window, threads: usize) -> Vec<u8> {
         strand: Some(strand),
         generation: Some(generation),
     };
-    let view = View { bounds: [0.0, 0.0, 1.0, 1.0], height: side, width: side, period: Some([1.0; 2]) };
+    let view = View { bounds: BOUNDS, height: side, width: side, period: Some([1.0; 2]) };
     texture(wheel.pattern(), sides, &view, window, &material(), [7, 9], threads, Watch::default(), maps).unwrap();
     let floats = floats.into_iter().flatten().flat_map(f32::to_le_bytes);
     let numbers = numbers.into_iter().flatten().flat_map(i32::to_le_bytes);
@@ -135,9 +137,9 @@ fn distances_are_those_of_every_disc() {
     let wheel = Wheel::new(7);
     let (side, pixels) = (64, 64 * 64);
     let mut distance = vec![0.0_f32; pixels];
-    let view = View { bounds: [0.0, 0.0, 1.0, 1.0], height: side, width: side, period: Some([1.0; 2]) };
+    let view = View { bounds: BOUNDS, height: side, width: side, period: Some([1.0; 2]) };
     let maps = Maps { distance: Some(&mut distance), ..Maps::default() };
-    let sides = Sides { plates: &[[0; 2]; 7], middles: &[[[0.0; 2]; 2]; 7], reaches: &[1.0] };
+    let sides = Sides { plates: &[[0; 2]; 7], middles: &[[[0.0; 2]; 2]; 7], reaches: &[1.0], bounds: BOUNDS };
     let window = Window { top: 0, left: 0, height: side, width: side };
     texture(wheel.pattern(), sides, &view, window, &material(), [7, 9], 1, Watch::default(), maps).unwrap();
     for (pixel, found) in distance.iter().enumerate().step_by(7) {
@@ -163,9 +165,9 @@ fn distances_are_those_of_every_disc() {
 #[test]
 fn a_period_of_broken_pixels_is_refused() {
     let wheel = Wheel::new(3);
-    let view = View { bounds: [0.0, 0.0, 1.0, 1.0], height: 10, width: 10, period: Some([0.33, 1.0]) };
+    let view = View { bounds: BOUNDS, height: 10, width: 10, period: Some([0.33, 1.0]) };
     let window = Window { top: 0, left: 0, height: 1, width: 1 };
-    let sides = Sides { plates: &[[0; 2]; 3], middles: &[[[0.0; 2]; 2]; 3], reaches: &[1.0] };
+    let sides = Sides { plates: &[[0; 2]; 3], middles: &[[[0.0; 2]; 2]; 3], reaches: &[1.0], bounds: BOUNDS };
     let mut mask = [0];
     let maps = Maps { mask: Some(&mut mask), ..Maps::default() };
     let refused = texture(wheel.pattern(), sides, &view, window, &material(), [0, 0], 1, Watch::default(), maps);

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::Pattern;
 use super::grid::{Grid, UNIT, both, ceil, round};
+use super::line::Line;
 use super::piece::{Piece, Region};
 use crate::error::{Error, Result};
 
@@ -26,11 +27,7 @@ pub(super) fn pieces(
     found.try_reserve(rows.len()).map_err(|_| Error::OutOfMemory { what: "the edges in pixels", bytes })?;
     for row in rows {
         let widths = pattern.widths[row];
-        let [a, b] = both(|end| pattern.edges[row][end] as usize);
-        let start = grid.place(pattern.vertices[a], a)?;
-        let mut end = grid.place(pattern.vertices[b], b)?;
-        let shift = pattern.shifts.get(row).map_or([0; 2], |shift| grid.shift(both(|axis| i64::from(shift[axis]))));
-        end = [end[0] + shift[0], end[1] + shift[1]];
+        let Line { start, end, .. } = line(pattern, grid, row)?;
         if let Some(&value) = widths.iter().find(|width| !(width.is_finite() && **width >= 0.0)) {
             return Err(Error::BadEntry {
                 array: "widths",
@@ -60,8 +57,17 @@ pub(super) fn pieces(
     Ok((found, all))
 }
 
+/// The middle line of an edge.
+#[inline(always)]
+pub(super) fn line(pattern: &Pattern<'_>, grid: &Grid, row: usize) -> Result<Line> {
+    let [a, b] = both(|end| pattern.edges[row][end] as usize);
+    let (start, end) = (grid.place(pattern.vertices[a], a)?, grid.place(pattern.vertices[b], b)?);
+    let shift = pattern.shifts.get(row).map_or([0; 2], |shift| grid.shift(both(|axis| i64::from(shift[axis]))));
+    Ok(Line { start, end: [end[0] + shift[0], end[1] + shift[1]], edge: row as u32 })
+}
+
 /// First and last multiple of `period` that brings the box into the region along one axis.
-fn images(box_of: Region, region: Region, period: i64, axis: usize) -> (i64, i64) {
+pub(super) fn images(box_of: Region, region: Region, period: i64, axis: usize) -> (i64, i64) {
     let (low, high) = (region[axis] - box_of[axis + 2], region[axis + 2] - box_of[axis]);
     if period == 0 {
         return if low <= 0 && 0 <= high { (0, 0) } else { (0, -1) };

@@ -1,7 +1,9 @@
 //! The edges around every vertex in turn: which plate lies where beyond the end of an edge.
 
 use super::Pattern;
-use super::grid::{Grid, both};
+use super::cut::line;
+use super::grid::{Grid, PART, both};
+use super::plates::Sides;
 use crate::error::Result;
 
 /// Half-edges that leave each vertex, counter-clockwise; see `faces` for their numbers.
@@ -11,11 +13,13 @@ pub(super) struct Fans {
     halves: Vec<u32>,
     /// From the first to the second end of every edge, pixels, y up.
     steps: Vec<[f64; 2]>,
+    /// The first half-edge beside every plate.
+    pub(super) owners: Vec<u32>,
 }
 
 impl Fans {
     /// Sorts the edges around their vertices.
-    pub(super) fn new(pattern: &Pattern<'_>, grid: &Grid) -> Result<Self> {
+    pub(super) fn new(pattern: &Pattern<'_>, grid: &Grid, sides: &Sides<'_>) -> Result<Self> {
         let mut steps = Vec::with_capacity(pattern.edges.len());
         for row in 0..pattern.edges.len() {
             steps.push(step(pattern, grid, row)?);
@@ -28,7 +32,11 @@ impl Fans {
             halves[next[vertex as usize] as usize] = half;
             next[vertex as usize] += 1;
         }
-        let mut fans = Self { starts, halves: Vec::new(), steps };
+        let mut owners = vec![0; sides.reaches.len()];
+        for (half, &plate) in sides.plates.as_flattened().iter().enumerate().rev() {
+            owners[plate as usize] = half as u32;
+        }
+        let mut fans = Self { starts, halves: Vec::new(), steps, owners };
         let turns: Vec<f64> = (0..halves.len() as u32).map(|half| super::faces::turn(fans.leaves(half))).collect();
         for around in fans.starts.windows(2) {
             let turn = |half: &u32| turns[*half as usize];
@@ -71,9 +79,7 @@ impl Fans {
 
 /// The vector of an edge, from places on the grid: moving the pattern by whole pixels does not change it.
 fn step(pattern: &Pattern<'_>, grid: &Grid, row: usize) -> Result<[f64; 2]> {
-    let [a, b] = both(|end| pattern.edges[row][end] as usize);
-    let (start, end) = (grid.place(pattern.vertices[a], a)?, grid.place(pattern.vertices[b], b)?);
-    let shift = pattern.shifts.get(row).map_or([0; 2], |shift| grid.shift(both(|axis| i64::from(shift[axis]))));
-    let parts = both(|axis| (end[axis] + shift[axis] - start[axis]) as f64 * f64::from(super::grid::PART));
+    let line = line(pattern, grid, row)?;
+    let parts = both(|axis| (line.end[axis] - line.start[axis]) as f64 * f64::from(PART));
     Ok([parts[0], -parts[1]])
 }

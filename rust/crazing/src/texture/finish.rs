@@ -8,7 +8,7 @@ use super::grid::UNIT;
 use super::labels::Labels;
 use super::look::{Place, rate};
 use super::maps::{Line, Maps};
-use super::near::{BEHIND_END, BEHIND_START, CODES, RIGHT};
+use super::near::CODES;
 use super::nearest::{PAGE, Page, Set};
 use super::noise::Value;
 use super::piece::Piece;
@@ -38,6 +38,8 @@ pub(super) struct Run<'a> {
     pub(super) height: usize,
     /// The coverage of the band, where it is known.
     pub(super) mask: Option<&'a [u8]>,
+    /// Which plates its pixels are on, where that is known.
+    pub(super) plates: Option<&'a [u32]>,
 }
 
 /// One row of a page.
@@ -52,9 +54,14 @@ pub(super) struct Row<'a> {
     pub(super) start: usize,
     /// How much of its pixels is covered, where that is known.
     mask: Option<&'a [u8]>,
+    /// Of which line they are on which side, where that is known.
+    pub(super) plates: Option<&'a [u32]>,
     pub(super) distance: &'a [f32],
     pub(super) code: &'a [u32],
 }
+
+/// Coverage and plates of a row, where they are known.
+type Known<'a> = (Option<&'a [u8]>, Option<&'a [u32]>);
 
 /// What one thread keeps from row to row.
 #[derive(Debug)]
@@ -91,12 +98,6 @@ impl Row<'_> {
     }
 }
 
-/// Behind which end of its edge a code lies, if behind any: 0 the first, 1 the second.
-pub(super) fn behind(code: u32, piece: &Piece) -> Option<usize> {
-    let end = usize::from(code & BEHIND_START == 0);
-    (code & (BEHIND_START | BEHIND_END) != 0 && piece.ends[end]).then_some(end)
-}
-
 /// The stretch of a map that belongs to a row, if the map is wanted.
 pub(super) fn stretch<'b, T>(map: &'b mut Option<&mut [T]>, row: &Row<'_>, channels: usize) -> Option<&'b mut [T]> {
     map.as_mut().map(|map| &mut map[row.start * channels..(row.start + row.width()) * channels])
@@ -106,7 +107,7 @@ impl Scene<'_> {
     /// Writes the rows of a run into a band of the window.
     #[inline(always)]
     pub(super) fn finish<S: Simd>(&self, simd: S, run: Run<'_>, rows: &mut Rows, maps: &mut Maps<'_>) {
-        let Run { leaves, left, width, height, mask } = run;
+        let Run { leaves, left, width, height, mask, plates } = run;
         for Leaf { page, labels, .. } in leaves.iter_mut().filter(|leaf| !leaf.is_level) {
             self.turn(self.set(page.level), page, labels, maps);
         }
@@ -114,13 +115,14 @@ impl Scene<'_> {
         let mut line = std::mem::take(&mut rows.line);
         for y in 0..height {
             let start = y * self.window.width + left;
-            let mask = mask.map(|mask| &mask[start..start + width]);
+            let known =
+                (mask.map(|mask| &mask[start..start + width]), plates.map(|plates| &plates[start..start + width]));
             // What is level all over is written once, and copied to every row.
             if y == 0 || !all_level {
                 let mut out = line.maps();
                 // Not `for_each`, which is compiled apart, for any processor.
                 for leaf in leaves.iter_mut() {
-                    self.row(simd, leaf, y, mask, rows, &mut out);
+                    self.row(simd, leaf, y, known, rows, &mut out);
                 }
             }
             maps.put(start, width, &line);
@@ -135,7 +137,7 @@ impl Scene<'_> {
         simd: S,
         leaf: &mut Leaf,
         y: usize,
-        mask: Option<&[u8]>,
+        (mask, plates): Known<'_>,
         rows: &mut Rows,
         maps: &mut Maps<'_>,
     ) {
@@ -148,7 +150,8 @@ impl Scene<'_> {
         let (distance, code) = (&page.distance[own.clone()], &page.code[own]);
         let corner = [corner[0], corner[1] + y as i64];
         let mask = mask.map(|mask| &mask[start..start + width]);
-        let row = Row { set: self.set(page.level), page, y, corner, start, mask, distance, code };
+        let plates = plates.map(|plates| &plates[start..start + width]);
+        let row = Row { set: self.set(page.level), page, y, corner, start, mask, plates, distance, code };
         if let Some(out) = stretch(&mut maps.distance, &row, 1) {
             out.iter_mut().zip(row.distance).for_each(|(out, distance)| *out = distance * self.data);
         }
@@ -183,32 +186,18 @@ impl Scene<'_> {
         }
     }
 
-    pub(super) fn plate(&self, row: &Row<'_>, x: usize) -> Option<(&Plate, [f32; 2])> {
-        let (plate, place) = self.plate_of(row, x, row.piece(x)?);
-        Some((self.plates.get(plate as usize)?, place))
+    /// The number of a pixel's plate: a lone one has the number 0.
+    pub(super) fn number(&self, row: &Row<'_>, x: usize) -> i32 {
+        let scan = self.scan.as_ref().zip(row.plates);
+        scan.map_or(0, |(scan, plates)| scan.plate(&self.sides, plates[x]))
     }
 
-    /// The plate of a pixel, and from its middle to the pixel, data units, y up.
-    pub(super) fn plate_of(&self, row: &Row<'_>, x: usize, piece: &Piece) -> (i32, [f32; 2]) {
-        let [dx, dy] = row.offset(x, piece);
-        let (edge, end) = (piece.edge as usize, behind(row.code[x], piece));
-        if let (Some(fans), Some(end)) = (&self.fans, end) {
-            let along = if end == 0 { 0.0 } else { piece.length };
-            let place = [f64::from(dx - along * piece.along[0]), f64::from(along * piece.along[1] - dy)];
-            if let Some((half, from_first)) = fans.beyond(self.pattern.edges[edge][end], place) {
-                let from_first = [from_first[0] as f32, from_first[1] as f32];
-                return self.on_plate(half as usize / 2, half as usize % 2, from_first);
-            }
+    /// The plate of a pixel; none where there is no crack at all.
+    pub(super) fn plate(&self, row: &Row<'_>, x: usize) -> Option<&Plate> {
+        if self.sides.plates.is_empty() {
+            row.piece(x)?;
         }
-        let from_first = [dx + piece.before * piece.along[0], -dy - piece.before * piece.along[1]];
-        self.on_plate(edge, (row.code[x] & RIGHT) as usize, from_first)
-    }
-
-    /// The plate on a side of an edge, and from its middle to a place known from the edge's first end, in pixels.
-    fn on_plate(&self, edge: usize, side: usize, from_first: [f32; 2]) -> (i32, [f32; 2]) {
-        let middle = self.sides.middle(edge, side);
-        let place = [from_first[0] * self.data - middle[0] as f32, from_first[1] * self.data - middle[1] as f32];
-        (self.sides.plate(edge, side), place)
+        self.plates.get(self.number(row, x) as usize)
     }
 
     /// Signed distance to the crack where chips have widened it.
@@ -238,7 +227,7 @@ impl Scene<'_> {
             let covered = row.mask.map_or(0.0, |mask| f32::from(mask[x]) / 255.0);
             let chipped = unit(0.5 - distance);
             let crack = if self.chip_depth > 0.0 && chipped > covered { chipped } else { covered };
-            let tint = if tinted { self.plate(row, x).map_or(0.0, |(plate, _)| plate.tint) } else { 0.0 };
+            let tint = if tinted { self.plate(row, x).map_or(0.0, |plate| plate.tint) } else { 0.0 };
             let (mottle, grain) = (rows.mottle[x].value, rows.grain[x].value);
             let place = Place { distance, crack, tint, dirt_rate: self.dirt_rate(row, x, distance), mottle, grain };
             if let Some(out) = stretch(&mut maps.color, row, 3) {

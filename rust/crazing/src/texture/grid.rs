@@ -98,6 +98,15 @@ impl Grid {
         Ok([round(x * UNIT as f64), round(y * UNIT as f64)])
     }
 
+    /// Bounds in parts of a pixel, y down, as far as the grid is kept: left, top, right, bottom.
+    pub(super) fn region(&self, bounds: [f64; 4]) -> [i64; 4] {
+        let [left, bottom, right, top] = bounds;
+        let part = |pixels: f64| round(pixels.clamp(-FAR, FAR) * UNIT as f64);
+        let x = |value: f64| part((value - self.centre[0]) * self.scale + self.middle[0]);
+        let y = |value: f64| part(self.middle[1] - (value - self.centre[1]) * self.scale);
+        [x(left), y(top), x(right), y(bottom)]
+    }
+
     /// A shift in periods, in parts of a pixel, y down.
     pub(super) fn shift(&self, periods: [i64; 2]) -> [i64; 2] {
         [periods[0] * self.period[0] * UNIT, -periods[1] * self.period[1] * UNIT]

@@ -82,7 +82,7 @@ maps! {
     distance: f32, 1;
     /// Unit vectors along the nearest crack: right, up.
     direction: f32, 2;
-    /// The plate.
+    /// The plate: the face between middle lines in which the pixel's middle lies.
     cell: i32, 1;
     /// The strand of the nearest edge; -1 off the crack.
     strand: i32, 1;

@@ -1,9 +1,10 @@
 //! Textures: aligned maps of a crack pattern, every pixel from the geometry of the edges nearest to it.
 //!
 //! All places are whole parts of a pixel (`grid`), edges are cut into short pieces (`piece`), and the nearest piece of
-//! every pixel is found by a search that cannot change the answer (`nearest`). A pixel's values depend on nothing but
-//! exact differences of places and on its nearest piece. So they are the same in every window, for every tile and
-//! number of threads, on every processor, and move with the pattern by whole pixels without a trace.
+//! every pixel is found by a search that cannot change the answer (`nearest`); its plate by a scan of rows (`scan`). A
+//! pixel's values depend on nothing but exact differences of places, its nearest piece and its plate. So they are the
+//! same in every window, for every tile and number of threads, on every processor, and move with the pattern by whole
+//! pixels without a trace.
 
 mod around;
 mod bands;
@@ -20,6 +21,7 @@ mod finish;
 mod grid;
 mod labels;
 mod lanes;
+mod line;
 mod look;
 mod maps;
 mod material;
@@ -30,10 +32,13 @@ mod page;
 mod piece;
 mod plates;
 mod profile;
+mod ray;
 mod rays;
 mod relief;
+mod scan;
 mod scene;
 mod squares;
+mod tilt;
 mod walks;
 
 pub use extent::{Extent, extent};

@@ -23,11 +23,12 @@ pub(super) struct Hand {
     leaves: Vec<Leaf>,
     rows: Rows,
     mask: Vec<u8>,
+    plates: Vec<u32>,
 }
 
 impl Hand {
     pub(super) fn new() -> Self {
-        Self { search: Search::new(), leaves: Vec::new(), rows: Rows::new(), mask: Vec::new() }
+        Self { search: Search::new(), leaves: Vec::new(), rows: Rows::new(), mask: Vec::new(), plates: Vec::new() }
     }
 }
 
@@ -35,7 +36,7 @@ impl Scene<'_> {
     /// Writes one band of the window.
     pub(super) fn band(&self, band: usize, mut maps: Maps<'_>, hand: &mut Hand, poll: Poll<'_>) -> Result<()> {
         let (width, height) = (self.window.width, BAND.min(self.window.height - band * BAND));
-        let Hand { search, leaves, rows, mask } = hand;
+        let Hand { search, leaves, rows, mask, plates } = hand;
         let mut covered: Option<&mut [u8]> = maps.mask.take();
         if covered.is_none() && self.wants.look {
             mask.resize(width * BAND, 0);
@@ -46,6 +47,18 @@ impl Scene<'_> {
             mask.fill(0);
             for (pieces, ids) in self.covering(band) {
                 self.arch.dispatch(Ink { pieces, ids, corner, width, rows: mask });
+            }
+        }
+        let plates = self.scan.as_ref().map(|scan| {
+            plates.resize(width * BAND, 0);
+            let codes = &mut plates[..width * height];
+            scan.band(band, codes);
+            &*codes
+        });
+        if let Some(cell) = maps.cell.take() {
+            cell.fill(0);
+            if let (Some(scan), Some(codes)) = (&self.scan, plates) {
+                scan.plates(&self.sides, codes, cell);
             }
         }
         if !self.wants.nearest() {
@@ -63,7 +76,7 @@ impl Scene<'_> {
                 leaf.width = PAGE.min(width - at);
                 self.page(leaf, height, search)?;
             }
-            let run = Run { leaves, left, width, height, mask: covered.as_deref() };
+            let run = Run { leaves, left, width, height, mask: covered.as_deref(), plates };
             self.arch.dispatch(Draw { scene: self, run, rows, maps: &mut maps });
         }
         Ok(())

@@ -14,6 +14,9 @@ pub struct Sides<'a> {
     pub middles: &'a [[[f64; 2]; 2]],
     /// The farthest corner of each plate from its middle, data units.
     pub reaches: &'a [f64],
+    /// Where the plates end, data units: xmin, ymin, xmax, ymax; of no matter with a period. A pixel beyond is on the
+    /// plate of the nearest place within.
+    pub bounds: [f64; 4],
 }
 
 impl Sides<'_> {

@@ -102,10 +102,11 @@ impl Scene<'_> {
         }
         for (lane, x) in (first..row.width().min(first + GROUP)).enumerate() {
             let plate = self.plate(row, x);
-            let rise = self.rise(plate, rows.grain[x]);
+            let place = if self.tilt == 0.0 { [0.0; 2] } else { self.on_own_plate(row, x) };
+            let rise = self.rise(plate.map(|plate| (plate, place)), rows.grain[x]);
             ground.rise[lane] = rise.value;
             (ground.slope[0][lane], ground.slope[1][lane]) = (rise.slope[0], rise.slope[1]);
-            ground.curl[lane] = self.profile.curl * plate.map_or(1.0, |(plate, _)| 1.0 - self.curl_spread * plate.curl);
+            ground.curl[lane] = self.profile.curl * plate.map_or(1.0, |plate| 1.0 - self.curl_spread * plate.curl);
         }
     }
 

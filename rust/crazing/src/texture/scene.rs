@@ -18,6 +18,7 @@ use super::noise::{self, Ground, Noise};
 use super::piece::Piece;
 use super::plates::{self, Plate, Sides};
 use super::profile::Profile;
+use super::scan::Scan;
 use super::{Pattern, labels};
 use crate::crew;
 use crate::error::Result;
@@ -41,7 +42,7 @@ pub(super) struct Asked<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct Wants {
     pub(super) distance: bool,
-    pub(super) cell: bool,
+    cell: bool,
     pub(super) profile: bool,
     pub(super) look: bool,
     pub(super) mask: bool,
@@ -70,7 +71,7 @@ impl Wants {
 
     /// Whether they are wanted for every pixel.
     fn everywhere(&self) -> bool {
-        self.look || self.distance || self.cell || self.direction
+        self.look || self.distance || self.direction
     }
 
     /// Whether it matters which plate a pixel is on.
@@ -114,6 +115,8 @@ pub(super) struct Scene<'a> {
     pub(super) dust: Option<Dust>,
     pub(super) plates: Vec<Plate>,
     /// Where there is more than one plate.
+    pub(super) scan: Option<Scan>,
+    /// Where such plates tilt.
     pub(super) fans: Option<Fans>,
     pub(super) grain: Vec<Noise>,
     pub(super) mottle: Vec<Noise>,
@@ -148,7 +151,9 @@ impl<'a> Scene<'a> {
         let octaves = |on: bool, kind: u64, pitch: f32, count: u64| {
             if on { noise::octaves(ground, kind, f64::from(pitch) * grid.scale, count) } else { Vec::new() }
         };
-        let Sorted { near, parts, bands, fans } = asked.sort(wants, wants.plates(material), threads, watch)?;
+        let tilted = wants.profile && material.tilt != 0.0;
+        let Sorted { near, parts, bands, scan, fans } =
+            asked.sort(wants, [wants.plates(material), tilted], threads, watch)?;
         Ok(Self {
             pattern,
             sides,
@@ -163,6 +168,7 @@ impl<'a> Scene<'a> {
             look: Look::new(material, grid.scale),
             dust: if maps.color.is_some() { Dust::of(&pattern, &grid, material)? } else { None },
             plates: if wants.differ(material) { plates::plates(sides.reaches, key) } else { Vec::new() },
+            scan,
             fans,
             grain: octaves(wants.grain(material), 0, material.grain_size, 2),
             mottle: octaves(wants.look, 1, material.mottle_size, 3),
@@ -185,6 +191,7 @@ struct Sorted {
     near: Set,
     parts: Vec<Vec<Piece>>,
     bands: Vec<Bands>,
+    scan: Option<Scan>,
     fans: Option<Fans>,
 }
 
@@ -207,8 +214,9 @@ impl Scene<'_> {
 }
 
 impl Asked<'_> {
-    /// Sorts the edges: into bands where the mask is wanted, into bins, and around their vertices where plates are.
-    fn sort(&self, wants: Wants, plates: bool, threads: usize, watch: Watch<'_>) -> Result<Sorted> {
+    /// Sorts the edges: into bands where the mask is wanted, into bins, and by rows where plates are; around their
+    /// vertices where these tilt.
+    fn sort(&self, wants: Wants, [plates, tilted]: [bool; 2], threads: usize, watch: Watch<'_>) -> Result<Sorted> {
         let Self { pattern, sides, grid, window, .. } = self;
         let several = plates && sides.reaches.len() > 1;
         // Few edges are not worth waking a thread.
@@ -216,12 +224,16 @@ impl Asked<'_> {
         let wanted = Wanted { pattern: *pattern, grid: *grid, window: *window, level: 0, bands: wants.mask };
         let mut cut = cut(wanted, threads, watch)?;
         let empty = || Ok(Set { pieces: Vec::new(), bins: Bins::none(), whole: true });
-        let (near, fans) = crew::both(
+        let (near, plates) = crew::both(
             threads,
             || if wants.nearest() { cut.set() } else { empty() },
-            || several.then(|| Fans::new(pattern, grid)).transpose(),
+            || {
+                let scan = several.then(|| Scan::new(pattern, grid, *window, sides.bounds)).transpose()?;
+                Ok((scan, (several && tilted).then(|| Fans::new(pattern, grid, sides)).transpose()?))
+            },
         );
-        Ok(Sorted { near: near?, parts: cut.parts, bands: cut.bands, fans: fans? })
+        let (scan, fans) = plates?;
+        Ok(Sorted { near: near?, parts: cut.parts, bands: cut.bands, scan, fans })
     }
 }
 
