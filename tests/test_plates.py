@@ -68,7 +68,7 @@ def faces_of(crack, x, y):
 
 def assert_one_to_one(face, cell):
     """Every face has one plate and every plate one face."""
-    assert (face >= 0).mean() > 0.95
+    assert (face >= 0).mean() > 0.7
     for numbers in np.unique(np.stack([face, cell])[:, face >= 0], axis=1):
         assert len(np.unique(numbers)) == len(numbers)
 
@@ -126,6 +126,44 @@ def test_plates_of_any_drawing_are_its_faces(period, loose):
             assert_cells_are_faces(crack, cz.texture(crack, 96, maps=["cell"])["cell"])
 
 
+def lattice(seed, period, n, *, loose):
+    """Some lines of a lattice of n cells a side: along the bounds and beyond, or through the middles of 60 pixels."""
+    rng = np.random.default_rng(seed)
+    cells = np.stack(np.meshgrid(*[np.arange(0 if period else -1, n + (0 if period else 1))] * 2), axis=-1).reshape(
+        -1, 2
+    )
+    steps = np.array([(1, 0), (0, 1), (1, 1), (1, 0), (0, 1)])[rng.integers(5, size=(len(cells), 3))]
+    first, second = (at.reshape(-1, 2) for at in np.broadcast_arrays(cells[:, None], cells[:, None] + steps))
+    lines = np.unique(np.stack([first, second], axis=1), axis=0)
+    lines = lines[rng.random(len(lines)) < loose]
+    turns = lines // n * (1 if period else 0)
+    places, edges = np.unique((lines - turns * n).reshape(-1, 2), axis=0, return_inverse=True)
+    edges, places = edges.reshape(-1, 2), places / n + (0.5 / 60 if period else 0)
+    rows, shifts = np.zeros(len(edges), dtype=np.int32), (turns[:, 1] - turns[:, 0]).astype(np.int8)
+    graph, widths = cz.PlanarGraph(places, edges), rng.random((len(edges), 2)) * 0.05
+    return cz.Crack(graph, widths, rows, rows, (0.0, 0.0, 1.0, 1.0), period, shifts if period else None)
+
+
+@pytest.mark.parametrize("period", [None, (1.0, 1.0)])
+@pytest.mark.parametrize("loose", [0.15, 0.4, 0.9])
+def test_plates_of_a_lattice_are_its_faces(period, loose):
+    for seed in range(30):
+        crack = lattice(seed, period, 5 + seed % 2, loose=loose)
+        if len(crack.graph.edges):
+            assert_cells_are_faces(crack, cz.texture(crack, 60, maps=["cell"])["cell"])
+
+
+def test_a_tree_that_floats_closes_no_plate():
+    """Its leftmost vertex is passed twice, and by roundings the two places of it differ."""
+    places = np.array([(1, 3), (2, 3), (2, 4), (3, 3), (4, 3), (3, 4), (4, 4), (0, 1), (5, 1)]) / 5
+    edges = [(0, 1), (2, 0), (1, 3), (4, 3), (5, 3), (5, 6), (7, 8)]
+    rows = np.zeros(len(edges), dtype=np.int32)
+    graph, widths = cz.PlanarGraph(places, edges), np.full((len(edges), 2), 1e-3)
+    crack = cz.Crack(graph, widths, rows, rows, (0.0, 0.0, 1.0, 1.0))
+    cell = cz.texture(crack, 60, maps=["cell"])["cell"]
+    assert np.bincount(cell.ravel()).tolist() == [48 * 60, 12 * 60]
+
+
 @pytest.mark.parametrize("period", [None, (1.0, 1.0)])
 def test_windows_have_the_plates_of_the_whole(period):
     tilted = cz.Material(tilt=0.3, level=0.2, grain=0.0)
@@ -156,25 +194,22 @@ def test_beyond_the_bounds_is_the_plate_of_the_nearest_place_within():
 
 
 def test_a_wide_crack_hides_no_plate_behind_a_narrow_one():
-    """A wide crack and a narrow one that leaves it at an acute angle: beyond the narrow one, the wide one is nearer."""
+    """A narrow crack leaves a wide one at an acute angle: behind it, the wide one is nearer, to its edge."""
     graph = cz.PlanarGraph([(0, 0.4), (0.5, 0.4), (1, 0.4), (1, 0.6)], [(0, 1), (1, 2), (1, 3)])
-    rows = np.zeros(3, dtype=np.int32)
-    widths = np.array([(0.16, 0.16), (0.16, 0.16), (0.001, 0.001)])
-    maps = cz.texture(
-        cz.Crack(graph, widths, rows, rows, (0, 0, 1, 1)),
-        200,
-        maps=["cell", "height", "color"],
-        material=cz.Material(level=1.0, mottle=0.0, speckle=0.0, wear=0.0),
-    )
-    x, y = np.meshgrid((np.arange(200) + 0.5) / 200, 1 - (np.arange(200) + 0.5) / 200)
-    sector = np.where(y < 0.4, 0, np.where(y > 0.4 * x + 0.2, 1, 2))
-    sector[(x < 0.5) & (y > 0.4)] = 1
-    pairs = np.unique(np.stack([sector, maps["cell"]]).reshape(2, -1), axis=1)
-    assert pairs.shape == (2, 3)
-    # Far from all cracks a plate has one height and one colour.
-    far = np.abs(y - 0.4 * x - 0.2) > 0.1
-    for plate in range(3):
-        assert len(np.unique(maps["color"][(sector == plate) & far & (np.abs(y - 0.4) > 0.35)], axis=0)) <= 1
+    rows, widths = np.zeros(3, dtype=np.int32), np.array([(0.16, 0.16), (0.16, 0.16), (0.001, 0.001)])
+    crack = cz.Crack(graph, widths, rows, rows, (0.0, 0.0, 1.0, 1.0))
+    tilted = cz.Material(tilt=0.2, level=0.02, rim=0.0)
+    maps = cz.texture(crack, 200, maps=["cell", "distance", "height", "normal"], material=tilted)
+    x, y = middles(crack, (200, 200))
+    sector = np.where(y < 0.4, 0, np.where((y > 0.4 * x + 0.2) | (x < 0.5), 1, 2))
+    assert_one_to_one(sector, maps["cell"])
+    # Beside the cracks every plate is level, of one slope.
+    for number in range(3):
+        own = (sector == number) & (maps["distance"] > 0)
+        np.testing.assert_array_equal(maps["normal"][own], maps["normal"][own][:1].repeat(own.sum(), axis=0))
+        level = np.column_stack([x[own], y[own], np.ones(own.sum())])
+        slope = np.linalg.lstsq(level, maps["height"][own].astype(float))[0]
+        np.testing.assert_allclose(level @ slope, maps["height"][own], atol=1e-6)
 
 
 def round_the_torus(way, count, *, hung):

@@ -76,19 +76,23 @@ impl Ray {
             return Ok(self.met());
         }
         self.axis = 1;
+        let mut upright = None;
         for row in 0..pattern.edges.len() {
             let line = cut::line(pattern, &self.grid, row)?;
-            let Some(column) = self.column(&line) else { continue };
-            self.place[0] = column;
-            for row in 0..pattern.edges.len() {
-                self.offer(&cut::line(pattern, &self.grid, row)?);
+            if let Some(column) = self.column(&line) {
+                self.place[0] = column;
+                for row in 0..pattern.edges.len() {
+                    self.offer(&cut::line(pattern, &self.grid, row)?);
+                }
+                return Ok(self.met());
             }
-            break;
+            upright = upright.or(self.is_upright(&line).then_some(line));
         }
-        Ok(self.met())
+        // No column meets anything: what is to the right of one line is the whole plate.
+        Ok(upright.map(|line| (line, line.side(0))))
     }
 
-    /// A column that meets a line within the bounds, if it has one.
+    /// A column that meets a line within the bounds, if there is one.
     fn column(&self, line: &Line) -> Option<i64> {
         let (mut first, mut last) = (0.0_f64, 1.0_f64);
         let step = both(|axis| (line.end[axis] - line.start[axis]) as f64);
@@ -97,11 +101,20 @@ impl Ray {
             let at = |wall: i64| (wall - line.start[axis]) as f64 / step[axis];
             if step[axis] != 0.0 {
                 (first, last) = (first.max(at(low).min(at(high))), last.min(at(low).max(at(high))));
-            } else if !(low..=high).contains(&line.start[axis]) {
-                return None;
             }
         }
         let column = line.start[0] + (step[0] * (first + last) / 2.0) as i64;
-        (first < last && line.is_crossed(1, column)).then_some(column)
+        let [columns, rows] = &self.axes;
+        let is_in = columns.low <= column && column <= columns.high && line.is_crossed(1, column);
+        let meets = |passed: i64| rows.low < passed && passed <= rows.high;
+        (is_in && meets(line.passed(1, column))).then_some(column)
+    }
+
+    /// Whether a line runs straight up within the bounds.
+    fn is_upright(&self, line: &Line) -> bool {
+        let ([left, right], [top, bottom]) = (line.span(0), line.span(1));
+        let [columns, rows] = &self.axes;
+        let inside = columns.low <= left && left <= columns.high && rows.low < bottom && top <= rows.high;
+        left == right && top < bottom && inside
     }
 }

@@ -21,8 +21,7 @@ pub(super) struct Walk {
     /// The way round the torus that it ends by, in whole periods.
     wraps: Point,
     pub(super) middle: Point,
-    /// The half-edge that starts farthest to the left; of a walk round the torus, as seen along that way. Of several the
-    /// one to whose left a ray to the left runs, if there is one.
+    /// The half-edge that starts farthest to the left; of a walk round the torus, as seen along that way.
     left: usize,
 }
 
@@ -73,8 +72,8 @@ impl Net {
     fn walk(&self, halves: &[usize], of: &[(usize, Point)], wraps: Point) -> Walk {
         let lean = self.lean(wraps);
         let (mut area, mut sum, mut mean) = (0.0, [0.0; 2], [0.0; 2]);
-        let (mut left, mut aside, mut opens) = (halves[0], f64::INFINITY, false);
-        for (&before, &half) in halves.last().into_iter().chain(halves).zip(halves) {
+        let (mut left, mut aside) = (halves[0], f64::INFINITY);
+        for &half in halves {
             let at = of[half].1;
             let to = add(at, self.half(half).1);
             let slice = cross(at, to);
@@ -82,12 +81,12 @@ impl Net {
             sum = add(sum, [slice * (at[0] + to[0]), slice * (at[1] + to[1])]);
             mean = add(mean, at);
             let own = at[0] - lean * at[1];
-            if own < aside || (own == aside && !opens && self.opens_left(before, half)) {
-                (left, aside, opens) = (half, own, self.opens_left(before, half));
+            if own < aside {
+                (left, aside) = (half, own);
             }
         }
-        // What closes a face from outside lies to the right of its leftmost corner.
-        let closes = !opens && wraps == [0.0; 2];
+        // What closes a face from outside has it to the right of its leftmost vertex.
+        let closes = wraps == [0.0; 2] && !self.opens_left(halves, of, left);
         let middle = if closes && area > 0.0 {
             sum.map(|part| part / (3.0 * area))
         } else {
@@ -96,10 +95,19 @@ impl Net {
         Walk { closes, wraps, middle, left }
     }
 
-    /// Whether the corner between two half-edges of a walk, one behind the other, holds what lies straight to its left.
-    fn opens_left(&self, before: usize, half: usize) -> bool {
+    /// Whether a walk passes the start of one of its half-edges so that what lies straight to the left of there is to
+    /// the left of the walk.
+    fn opens_left(&self, halves: &[usize], of: &[(usize, Point)], left: usize) -> bool {
+        let (vertex, there) = (self.half(left).0, of[left].1);
         let place = |half: usize| (turn(self.half(half).1), rank(half));
-        place(half) >= place(before ^ 1)
+        // A walk may pass a vertex several times, and on a torus several images of it.
+        let is_there = |half: usize| {
+            let apart = less(of[half].1, there);
+            let far = |axis: usize| self.period.is_some_and(|period| apart[axis].abs() > period[axis] / 2.0);
+            self.half(half).0 == vertex && !far(0) && !far(1)
+        };
+        let mut corners = halves.last().into_iter().chain(halves).zip(halves);
+        corners.any(|(&before, &half)| is_there(half) && place(half) >= place(before ^ 1))
     }
 
     /// How far to the right a way round the torus leads for every unit up.
