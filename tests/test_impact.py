@@ -100,6 +100,21 @@ def test_spokes_go_on_until_they_meet_copies(period: tuple[float, float]) -> Non
 
 
 @pytest.mark.parametrize("period", PERIODS)
+def test_no_spoke_runs_along_the_sides_to_the_next_copy(period: tuple[float, float]) -> None:
+    """Four of them were a cross in every fourth picture, and its tiles a grid."""
+    least = []
+    for seed in range(60):
+        drawing = impact(500, seed, period)
+        leaves = drawing.edges == 0
+        beyond = (drawing.shifts != 0).any(axis=1)
+        step = np.diff(segments(drawing)[leaves.any(axis=1) | beyond], axis=1)[:, 0]
+        off = np.degrees(np.arctan2(step[:, 1], step[:, 0])) % 90
+        least.append(np.minimum(off, 90 - off).min())
+    # Ten first spokes leave a gap of nine degrees at least.
+    assert min(least) > 4 and np.mean(least) < 15
+
+
+@pytest.mark.parametrize("period", PERIODS)
 def test_the_fence_paves_the_torus(period: tuple[float, float]) -> None:
     for n, seed in ((30, 0), (500, 1), (5000, 2)):
         drawing = impact(n, seed, period)

@@ -1,5 +1,6 @@
 //! An impact on glass: straight spokes first, then arcs between them, and new spokes where the old ones lie far apart.
 
+mod aside;
 mod drawn;
 mod meet;
 mod parting;
@@ -26,6 +27,8 @@ const OWN: f64 = 0.96;
 const EARLY: f64 = 0.3;
 /// The narrowest and the widest angle between the first spokes, before they are scaled to a full turn.
 const GAPS: [f64; 2] = [0.45, 1.75];
+/// Two of three later spokes get all the way: those that draw more than minus this.
+const ENDS: f64 = 0.43;
 /// Radians of arc a piece.
 const PIECE: f64 = 0.2;
 /// How far, as a part of the distance to the source, an arc is off at a spoke.
@@ -158,6 +161,9 @@ impl Star {
         let gaps: Vec<f64> = (0..count).map(|_| GAPS[0] + (GAPS[1] - GAPS[0]) * star.rng.unit()).collect();
         let scale = std::f64::consts::TAU / gaps.iter().sum::<f64>();
         let mut angle = std::f64::consts::TAU * star.rng.unit();
+        if on_torus {
+            angle -= aside::clearest(&gaps, angle, scale);
+        }
         for gap in &gaps {
             star.add_spoke(angle, (0.0, 0));
             angle += scale * gap;
@@ -187,14 +193,17 @@ impl Star {
 
     /// A spoke from a vertex outward; some reach the bounds, others end on the way.
     fn add_spoke(&mut self, angle: f64, start: (f64, i32)) -> usize {
-        let chance = self.normal();
+        let mut chance = self.normal();
+        if self.period.is_some() && start.1 != 0 && aside::is_along(angle) {
+            chance = -chance.abs() - ENDS;
+        }
         // A square of tips would show the tile: on a torus they lie within an ellipse, none as far as the next.
         let most = self.period.map_or(2.0 * self.reach, |[wide, high]| {
             let far = OWN / (2.0 * libm::hypot(libm::cos(angle) / wide, libm::sin(angle) / high));
             far * (1.0 - EARLY * libm::exp(-chance.abs()))
         });
         // Two of three get all the way, the first ones all: one that ended would leave half of its side empty.
-        let reaches = chance > -0.43 || start.1 == 0;
+        let reaches = chance > -ENDS || start.1 == 0;
         let to =
             if reaches { most } else { start.0 + (self.reach.min(most) - start.0).max(0.0) * libm::exp(0.6 * chance) };
         self.spokes.push(Spoke {
