@@ -14,7 +14,7 @@ const CHOICE: f64 = 0.3;
 /// Waves along the first crack, one more in each than in the one before: standard deviations in parts of the way between
 /// two of its turns, where walls bend all the way. They fall as those of a line of Hurst exponent .7 do: with a long one
 /// far above the others the crack is a sine, and every tile shows it.
-const WAVES: [f64; 6] = [0.03, 0.013, 0.008, 0.0057, 0.0043, 0.0035];
+const WAVES: [f64; 6] = [0.028, 0.013, 0.006, 0.003, 0.0016, 0.0009];
 /// Pieces of it between the ends of the second.
 const PIECES: usize = 16;
 /// How far from opposite each other the ends of the second crack are, in parts of the first: at least, and at most.
