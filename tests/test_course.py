@@ -27,8 +27,9 @@ def by_hand(r: cz.Recipe, points: NDArray[np.float64], where: dict, rng: int) ->
     else:
         drawing = cz.steps.split(r.n, jitter=r.jitter, bend=r.bend, rng=seed, **where)
         unit = float(np.sqrt((drawing.bounds[2] - drawing.bounds[0]) * (drawing.bounds[3] - drawing.bounds[1]) / r.n))
-    if r.rounds:
-        drawing = cz.steps.straighten(drawing, rounds=r.rounds, pull=r.pull, slide=r.slide, clamp=r.clamp)
+    if r.rounds or r.unbend:
+        how = {"rounds": r.rounds, "pull": r.pull, "slide": r.slide, "clamp": r.clamp, "unbend": r.unbend}
+        drawing = cz.steps.straighten(drawing, **how)
     seeds = [np.random.default_rng([int(word) for word in seed.bit_generator.random_raw(2)]) for _ in range(3)]
     if r.warp:
         drawing = cz.steps.warp(drawing, amplitude=r.warp * unit, rng=seeds[0])

@@ -54,7 +54,7 @@ PLACES = {
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("opening", [0.0, 0.6, 1.0])
 def test_straightening_never_makes_a_crossing(place: str, period, opening: float) -> None:
-    hard = {"rounds": 12, "pull": 1.0, "slide": 1.0, "clamp": 0.02}
+    hard = {"unbend": 12, "rounds": 12, "pull": 1.0, "slide": 1.0, "clamp": 0.02}
     for seed in range(2):
         points = PLACES[place](seed)
         before = cz.crack(points, opening=opening, period=period, rng=seed)
@@ -80,6 +80,16 @@ def test_straightening_makes_t_junctions_and_short_ways() -> None:
     share = [(largest_angles(c) >= 155).mean() for c in (plain, straight)]
     assert share[0] < 0.4 and share[1] > 0.6
     assert straight.graph.length < 0.97 * plain.graph.length
+
+
+@pytest.mark.parametrize("period", [None, (1.0, 1.0)])
+def test_unbending_pulls_where_nothing_meets_a_crack_and_nowhere_else(period) -> None:
+    plain, unbent = (cz.crack(n=400, opening=0.7, unbend=n, period=period, rng=5) for n in (0, 6))
+    moved = (plain.graph.vertices != unbent.graph.vertices).any(axis=1)
+    bends = plain.graph.degrees == 2
+    assert not moved[~bends].any() and moved[bends].mean() > 0.9
+    before, after = (np.linalg.norm(c.segments[:, 1] - c.segments[:, 0], axis=1).sum() for c in (plain, unbent))
+    assert after < 0.95 * before
 
 
 def test_a_periodic_crack_is_closed_over_its_seams() -> None:

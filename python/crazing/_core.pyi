@@ -36,7 +36,7 @@ _Aged: TypeAlias = tuple[_Net, _Fence, _Ints, _Ints]
 _Widths: TypeAlias = tuple[float, float, float, float, float, float, float, tuple[float, float], float, float]
 # Straightening, warp, turn, hooks, stubs, roughness, widths.
 _Steps: TypeAlias = tuple[
-    tuple[int, float, float, float] | None,
+    tuple[int, float, float, float, int] | None,
     tuple[float, _Key] | None,
     float | None,
     tuple[float, float, float] | None,
@@ -117,7 +117,9 @@ def crack_plates(
     stretch: tuple[_Floats, _Floats, _Bounds] | None,
 ) -> tuple[_Net, _Fence, _Ints, float]: ...
 def crack_pairs(net: _Net, sharpest: float) -> _Ints: ...
-def crack_straighten(net: _Net, partner: _Ints, fence: _Fence, how: tuple[int, float, float, float]) -> _Floats: ...
+def crack_straighten(
+    net: _Net, partner: _Ints, fence: _Fence, how: tuple[int, float, float, float, int]
+) -> _Floats: ...
 def crack_wrap(net: _Net) -> _Net: ...
 def crack_widths(
     net: _Net, partner: _Ints, age: _Ints, widths: _Widths, key: _Key

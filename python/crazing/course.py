@@ -21,7 +21,7 @@ LEAN = 8.0
 
 Key: TypeAlias = tuple[int, int]
 #: Numbers in the order of the fields that the core has.
-Straightening: TypeAlias = tuple[int, float, float, float]
+Straightening: TypeAlias = tuple[int, float, float, float, int]
 Stubs: TypeAlias = tuple[float, float, float, float]
 Roughness: TypeAlias = tuple[float, float, float, float, float]
 Widths: TypeAlias = tuple[float, float, float, float, float, float, float, tuple[float, float], float, float]
@@ -73,13 +73,14 @@ def widened(
     return Crack(graph, widths, strand, generation, drawing.bounds, drawing.period, shifts, parent)
 
 
-def straightening(rounds: int, pull: float, slide: float, clamp: float) -> Straightening:
+def straightening(rounds: int, pull: float, slide: float, clamp: float, unbend: int) -> Straightening:
     """The numbers of :func:`crazing.steps.straighten`."""
     return (
         count(rounds, "rounds", high=100_000),
         number(pull, "pull", low=0, high=1),
         number(slide, "slide", low=0, high=1),
         number(clamp, "clamp", low=0, high=0.5),
+        count(unbend, "unbend", high=100_000),
     )
 
 

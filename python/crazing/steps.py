@@ -325,7 +325,13 @@ def part(drawing: Drawing, *, hairpin: float, reach: float, spacing: float = 0.0
 
 
 def straighten(
-    drawing: Drawing, *, rounds: int = 5, pull: float = 0.64, slide: float = 0.18, clamp: float = 0.2
+    drawing: Drawing,
+    *,
+    rounds: int = 5,
+    pull: float = 0.64,
+    slide: float = 0.18,
+    clamp: float = 0.2,
+    unbend: int = 0,
 ) -> Drawing:
     """Pull cracks straight, and slide them so that cracks that abut meet them at right angles.
 
@@ -340,6 +346,9 @@ def straighten(
         The part of the way along the chord to where the abutting crack meets it at 90 degrees.
     clamp : float
         The part of the chord at both ends that sliding keeps out of.
+    unbend : int
+        Rounds that come first and pull at bends only, half of the way to the chord: where two edges meet and no other
+        crack.
 
     Returns
     -------
@@ -361,7 +370,7 @@ def straighten(
     True
     """
     arguments.of_kind(drawing, "drawing", Drawing)
-    how = course.straightening(rounds, pull, slide, clamp)
+    how = course.straightening(rounds, pull, slide, clamp, unbend)
     moved = _core.crack_straighten(drawing.net, drawing.partner, drawing.fence, how)
     return replace(drawing, vertices=moved)
 

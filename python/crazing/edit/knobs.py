@@ -141,6 +141,7 @@ _FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
     "angle": ("Angle", (-180, 180, 1), "Degrees"),
     "tree": ("Tree", (0, 0, 0), ""),
     "opening": ("Opening", (0, 1, 0.01), "0 closes every plate, 1 none"),
+    "unbend": ("Unbending", (0, 20, 1), "Rounds, where nothing meets a crack"),
     "rounds": ("Straightening", (0, 20, 1), "Rounds"),
     "pull": ("Pull", (0, 1, 0.01), "Of a round, towards the chord"),
     "slide": ("Slide", (0, 1, 0.01), "Of a round, towards T junctions"),

@@ -122,7 +122,7 @@ pub(crate) fn crack_straighten<'py>(
     net: NetArrays<'py>,
     partner: PyReadonlyArray1<'py, i32>,
     fence: FenceArrays<'py>,
-    how: (u32, f64, f64, f64),
+    how: (u32, f64, f64, f64, u32),
 ) -> PyResult<Table<'py, f64>> {
     let net = net.view()?;
     let (fence, partner) = (fence.view(net)?, ends(&partner, net)?);

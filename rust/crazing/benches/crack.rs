@@ -41,7 +41,7 @@ fn main() {
     let (walls, _) = timed("walls", unit, || within(d.view(), &open, bounds).unwrap());
     let fence = walls.fence.view();
     let (partner, _) = timed("pairs", unit, || pairs(walls.net.view(), 1.0));
-    let how = Straightening { rounds: 3, pull: 0.3, slide: 0.37, clamp: 0.1 };
+    let how = Straightening { rounds: 3, pull: 0.3, slide: 0.37, clamp: 0.1, unbend: 0 };
     let mut net = walls.net.clone();
     (net.vertices, _) =
         timed("straighten", unit, || straighten(walls.net.view(), &partner, fence, how, watch).unwrap());

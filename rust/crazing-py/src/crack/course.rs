@@ -12,7 +12,7 @@ use crate::guard::detached;
 /// The steps as the face passes them: numbers in the order of the fields, and keys.
 #[derive(FromPyObject)]
 pub(crate) struct Steps(
-    Option<(u32, f64, f64, f64)>,
+    Option<Straight>,
     Option<(f64, Key)>,
     Option<f64>,
     Option<(f64, f64, f64)>,
@@ -21,11 +21,12 @@ pub(crate) struct Steps(
     (Widths, Key),
 );
 
+type Straight = (u32, f64, f64, f64, u32);
 type Rough = (f64, f64, f64, f64, f64);
 
 /// How straight, from what the face passes.
-pub(crate) fn straightening((rounds, pull, slide, clamp): (u32, f64, f64, f64)) -> Straightening {
-    Straightening { rounds, pull, slide, clamp }
+pub(crate) fn straightening((rounds, pull, slide, clamp, unbend): Straight) -> Straightening {
+    Straightening { rounds, pull, slide, clamp, unbend }
 }
 
 /// How sharply cracks may turn, from what the face passes.

@@ -9,9 +9,15 @@ use crate::graph::Point;
 use crate::parallel;
 use crate::watch::Watch;
 
+/// The part of the way to the chord that a bend goes in a round: a whole one would throw bends in a row past each other.
+const HALF: f64 = 0.5;
+
 /// How strands are straightened.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Straightening {
+    /// Rounds that come first and pull at bends only: where two edges meet and no other crack. What opened doors leave
+    /// of the walls about plates winds from plate to plate; a crack that nothing meets has no reason to.
+    pub unbend: u32,
     /// Rounds; 2 to 5 measure like paint, 40 are too straight.
     pub rounds: u32,
     /// The part of the way to the chord in a round, 0 to 1.
@@ -57,12 +63,15 @@ pub(super) fn straightened(
             return Err(Error::BadValue { name, value, wanted: "0 to 1 is wanted, of clamp 0 to 0.5" });
         }
     }
-    let passes = Passes::of(net, ends, partner);
     let mut guard = Guard::of(net, fence);
-    for _ in 0..how.rounds {
-        watch.poll()?;
-        // Where to is decided for all at once, so that the order of moves leaves no trace; then one moves at a time.
-        guard.advance(|guard, vertex| passes.target(guard, vertex, how), None, watch)?;
+    let bends = Straightening { rounds: how.unbend, pull: HALF, ..Straightening::default() };
+    for (how, most) in [(bends, 2), (how, usize::MAX)].into_iter().filter(|(how, _)| how.rounds > 0) {
+        let passes = Passes::of(net, ends, partner, most);
+        for _ in 0..how.rounds {
+            watch.poll()?;
+            // Where to is decided for all at once, so that the order of moves leaves no trace; then one moves at a time.
+            guard.advance(|guard, vertex| passes.target(guard, vertex, how), None, watch)?;
+        }
     }
     Ok(guard.into_vertices())
 }
@@ -75,9 +84,9 @@ struct Passes {
     turns: Vec<[[i16; 2]; 5]>,
 }
 
-/// The ends by which a vertex is left: those of one strand, of a second, and the one other.
-fn ends_of(net: NetView<'_>, ends: &Ends, partner: &[i32], vertex: usize) -> [i32; 5] {
-    let here = if net.cut[vertex] { &[] } else { ends.at(vertex) };
+/// The ends by which a vertex of at most so many is left: those of one strand, of a second, and the one other.
+fn ends_of(net: NetView<'_>, ends: &Ends, partner: &[i32], most: usize, vertex: usize) -> [i32; 5] {
+    let here = if net.cut[vertex] || ends.at(vertex).len() > most { &[] } else { ends.at(vertex) };
     let mut pairs = here.iter().filter_map(|&end| {
         let other = partner[end as usize];
         (other > end as i32).then_some([end as i32, other])
@@ -89,14 +98,15 @@ fn ends_of(net: NetView<'_>, ends: &Ends, partner: &[i32], vertex: usize) -> [i3
 }
 
 impl Passes {
-    fn of(net: NetView<'_>, ends: &Ends, partner: &[i32]) -> Self {
+    /// Of vertices with at most so many ends.
+    fn of(net: NetView<'_>, ends: &Ends, partner: &[i32], most: usize) -> Self {
         let vertices = net.vertices.len();
         let far = |end: i32| if end == NONE { NONE } else { net.vertex(end as u32 ^ 1) as i32 };
         let turn = |end: i32| {
             let turn = if end == NONE { [0; 2] } else { net.shift(end as usize / 2).map(i16::from) };
             if end % 2 == 0 { turn } else { turn.map(|x| -x) }
         };
-        let each = |vertex: usize| ends_of(net, ends, partner, vertex);
+        let each = |vertex: usize| ends_of(net, ends, partner, most, vertex);
         Self {
             far: parallel::map(vertices, |vertex| each(vertex).map(far)),
             turns: parallel::map(if net.shifts.is_empty() { 0 } else { vertices }, |vertex| each(vertex).map(turn)),

@@ -110,7 +110,7 @@ pub fn unit(bounds: [f64; 4], n: usize) -> f64 {
     ((bounds[2] - bounds[0]) * (bounds[3] - bounds[1]) / n as f64).sqrt()
 }
 
-pub const HARD: Straightening = Straightening { rounds: 6, pull: 1.0, slide: 1.0, clamp: 0.02 };
+pub const HARD: Straightening = Straightening { rounds: 6, pull: 1.0, slide: 1.0, clamp: 0.02, unbend: 6 };
 
 pub fn rough_of(net: &Net, partner: &[i32], fence: &Fence, unit: f64, seed: u64) -> Rough {
     let how = Roughness { amplitude: 0.6, hurst: 0.4, unit, grain: 0.2 * unit, rounding: 0.0 };
