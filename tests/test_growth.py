@@ -54,11 +54,15 @@ def test_tips_end_on_their_edge_with_no_width(place) -> None:
 
 @pytest.mark.parametrize("place", PLACES)
 def test_no_strand_starts_before_its_parent_is_there_or_before_older_ones(place) -> None:
-    c = cz.crack(rng=7, **place)
-    starts = np.full(int(c.strand.max()) + 1, np.inf)
-    np.minimum.at(starts, c.strand, c.arrivals.min(axis=1))
-    parent = np.full(len(starts), -1)
-    parent[c.strand] = c.parent
-    children = np.flatnonzero(parent >= 0)
-    assert (starts[children] >= starts[parent[children]]).all()
-    assert np.corrcoef(np.arange(len(starts)), starts)[0, 1] > 0.5
+    in_order = []
+    for seed in range(7, 15):
+        c = cz.crack(rng=seed, **place)
+        starts = np.full(int(c.strand.max()) + 1, np.inf)
+        np.minimum.at(starts, c.strand, c.arrivals.min(axis=1))
+        parent = np.full(len(starts), -1)
+        parent[c.strand] = c.parent
+        children = np.flatnonzero(parent >= 0)
+        assert (starts[children] >= starts[parent[children]]).all()
+        in_order.append(np.corrcoef(np.arange(len(starts)), starts)[0, 1])
+    # One pattern of a few dozen strands has .43 to .86.
+    assert np.mean(in_order) > 0.5
