@@ -1,9 +1,13 @@
 //! The edges a curve may be made of: those of the diagram, and on request the other diagonal of two triangles.
 
+use std::collections::BTreeSet;
+
 use crate::diagram::DiagramView;
+use crate::error::Result;
 use crate::graph::Point;
 use crate::incidence::Incidence;
 use crate::predicates::orientation;
+use crate::watch::Watch;
 
 /// No edge.
 const NONE: u32 = u32::MAX;
@@ -49,6 +53,40 @@ impl Candidates {
     pub(super) fn other(&self, k: u32, v: usize) -> usize {
         let [a, b] = self.edges[k as usize].map(|end| end as usize);
         if a == v { b } else { a }
+    }
+
+    /// All sites within so many edges of a few.
+    pub(super) fn around(&self, mut last: Vec<usize>, steps: usize) -> BTreeSet<usize> {
+        let mut seen: BTreeSet<usize> = last.iter().copied().collect();
+        for _ in 0..steps {
+            last = last.iter().flat_map(|&v| self.beside(v)).filter(|&u| seen.insert(u)).collect();
+        }
+        seen
+    }
+
+    /// Which of all `sites` are within so many edges of many.
+    pub(super) fn reached(
+        &self,
+        sites: usize,
+        mut last: Vec<usize>,
+        steps: usize,
+        watch: Watch<'_>,
+    ) -> Result<Vec<bool>> {
+        let mut seen = vec![false; sites];
+        last.iter().for_each(|&v| seen[v] = true);
+        for _ in 0..steps {
+            let mut ahead = Vec::new();
+            for (step, &v) in last.iter().enumerate() {
+                watch.poll_at(step)?;
+                ahead.extend(self.beside(v).filter(|&u| !std::mem::replace(&mut seen[u], true)));
+            }
+            last = ahead;
+        }
+        Ok(seen)
+    }
+
+    fn beside(&self, v: usize) -> impl Iterator<Item = usize> {
+        self.about.at(v).iter().map(move |&k| self.other(k, v))
     }
 
     /// Whether an edge crosses one of those chosen.

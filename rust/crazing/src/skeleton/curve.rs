@@ -6,8 +6,6 @@
 //! for all of them, see [`beliefs`](super::beliefs); then edges are exchanged along short trails, each of which begins
 //! where something is amiss still.
 
-use std::collections::BTreeSet;
-
 use super::beliefs::beliefs;
 use super::candidates::Candidates;
 use super::cost::{self, End, Turning};
@@ -121,7 +119,7 @@ impl Draft {
         self.settle();
         loop {
             // Where nothing has changed since it was last looked at, nothing would be found.
-            let amiss: Vec<usize> = (0..self.sites.len()).filter(|&v| self.fresh[v] && self.is_amiss(v)).collect();
+            let amiss = self.amiss(|v| self.fresh[v], watch)?;
             if amiss.is_empty() {
                 return Ok(self);
             }
@@ -163,11 +161,22 @@ impl Draft {
         self.ends(v).count() != 2 || self.cost_at(v) > cost::SUSPECT || self.ring(v).is_some()
     }
 
+    /// The sites amiss among some.
+    fn amiss(&self, among: impl Fn(usize) -> bool, watch: Watch<'_>) -> Result<Vec<usize>> {
+        let mut amiss = Vec::new();
+        for v in 0..self.sites.len() {
+            watch.poll_at(v)?;
+            if among(v) && self.is_amiss(v) {
+                amiss.push(v);
+            }
+        }
+        Ok(amiss)
+    }
+
     /// Lets all sites about those amiss agree on their edges.
     fn agree(&mut self, watch: Watch<'_>) -> Result<()> {
-        let amiss: Vec<usize> = (0..self.sites.len()).filter(|&v| self.is_amiss(v)).collect();
-        let mut active = vec![false; self.sites.len()];
-        self.around(amiss).into_iter().for_each(|v| active[v] = true);
+        let amiss = self.amiss(|_| true, watch)?;
+        let active = self.net.reached(self.sites.len(), amiss, REACH, watch)?;
         let pair = |v: usize, ends: [u32; 2]| cost::site(ends.map(|k| Some(self.end(k, v))), self.turning);
         let worth = beliefs(&self.net, &self.price, &active, &self.chosen, pair, watch)?;
         let is_open = |k: &usize| self.net.edges[*k].iter().any(|&end| active[end as usize]);
@@ -175,7 +184,8 @@ impl Draft {
         order.iter().for_each(|&k| self.chosen[k] = false);
         order.retain(|&k| worth[k] < 0.0);
         order.sort_by(|&a, &b| worth[a].total_cmp(&worth[b]));
-        for k in order {
+        for (step, k) in order.into_iter().enumerate() {
+            watch.poll_at(step)?;
             let is_full = self.net.edges[k].iter().any(|&end| self.ends(end as usize).count() > 1);
             self.chosen[k] = !is_full && !self.net.is_barred(k as u32, &self.chosen);
         }
@@ -195,21 +205,10 @@ impl Draft {
                 self.before[v] = self.cost_at(v);
             }
             // All sites from which a trail could pass those of this one.
-            self.around(trail.sites).into_iter().for_each(|v| self.fresh[v] = true);
+            self.net.around(trail.sites, REACH).into_iter().for_each(|v| self.fresh[v] = true);
             self.fresh[v] = false;
         }
         Ok(found)
-    }
-
-    /// All sites within reach of some.
-    fn around(&self, mut reached: Vec<usize>) -> BTreeSet<usize> {
-        let mut seen: BTreeSet<usize> = reached.iter().copied().collect();
-        for _ in 0..REACH {
-            let around = reached.iter().flat_map(|&v| self.net.about.at(v).iter().map(move |&k| (k, v)));
-            let ahead: Vec<usize> = around.map(|(k, v)| self.net.other(k, v)).collect();
-            reached = ahead.into_iter().filter(|&u| seen.insert(u)).collect();
-        }
-        seen
     }
 
     /// Goes on from the last site of the trail with an edge to add or to drop; true, with the edges exchanged, as soon
