@@ -126,6 +126,22 @@ def test_mazes_fill_the_shape_in_any_file(kind: str, cells: str, tmp_path: Path)
     assert not inside
 
 
+@pytest.mark.parametrize("cells", ["voronoi", "delaunay"])
+def test_a_maze_and_its_solution_stay_on_the_page(cells: str, tmp_path: Path) -> None:
+    path = tmp_path / "maze.svg"
+    more = ("--cells", cells, "--page", 120, 120, "--margin", 10, "--solution")
+    for seed in range(3, 6):
+        assert run("maze", "-n", 150, "--seed", seed, *more, "-o", path).exit_code == 0
+        lines = [line for group in svgpathtools.svg2paths(path)[0] for line in group]
+        places = np.array([p for line in lines for p in (line.start, line.end)])
+        sides = np.stack([places.real, places.imag])
+        assert sides.min() == pytest.approx(10) and sides.max() == pytest.approx(110)
+        # The frame, but for entrance and exit.
+        along = [line for line in lines if {line.start.real, line.end.real} <= {10.0, 110.0}]
+        along += [line for line in lines if {line.start.imag, line.end.imag} <= {10.0, 110.0}]
+        assert sum(abs(line.end - line.start) for line in along) > 320
+
+
 def test_an_opening_shuts_doors(tmp_path: Path) -> None:
     path = tmp_path / "maze.svg"
     whole = run("maze", "-n", 200, "--seed", 1, "-o", path).stdout

@@ -276,6 +276,7 @@ def maze(
         between any two cells).
     bounds : (xmin, ymin, xmax, ymax), optional
         What the walls of Voronoi cells are clipped to. By default the bounding box of the points, grown by a tenth.
+        Doors beyond are doors all the same, and ways lead through them: for a maze on paper give the sheet as `within`.
     period : (width, height), optional
         Carve on a torus: ways leave on one side and come in on the opposite one, see :func:`crazing.diagram`.
     within : optional

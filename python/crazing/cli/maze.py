@@ -61,7 +61,7 @@ def command(
 ) -> None:
     """Draws a maze on a page, in millimetres.
 
-    Within a shape, entrance and exit are the two places of its outline that lie farthest apart.
+    Entrance and exit are the two places of the outline, of the page or the shape, that lie farthest apart.
     """
     if distances and output.lower().endswith(".dxf"):
         raise click.BadParameter("--distances are colours, which a .dxf has not.")
@@ -85,9 +85,11 @@ def _maze(*, n: int, within: str | None, cells: str, seed: int, page: tuple[floa
     # There are two triangles a point.
     count = n if cells == "voronoi" else max(3, n // 2)
     if within is None:
-        box = (0.0, 0.0, *arguments.period_pair(page, "page"))
-        points = crazing.sample.uniform(count, bounds=box, rng=rng)
-        return crazing.maze(points, cells=cells, **how, bounds=box, rng=rng)
+        width, height = arguments.period_pair(page, "page")
+        points = crazing.sample.uniform(count, bounds=(0, 0, width, height), rng=rng)
+        # The page is the shape: its sides are walls, and no way leads through a door that lies beyond them.
+        sheet = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
+        return crazing.maze(points, cells=cells, **how, within=sheet, rng=rng)
     region = region_of(within)
     # As many points as leave about `count` in the shape.
     probe = crazing.sample.uniform(4096, bounds=region.bounds, rng=rng)
