@@ -5,6 +5,7 @@ from __future__ import annotations
 import networkx as nx
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.sparse import coo_matrix
@@ -13,10 +14,23 @@ from scipy.sparse.csgraph import shortest_path
 import crazing as cz
 
 KINDS = ["voronoi", "delaunay"]
+TREES = ["depth-first", "kruskal", "prim", "wilson"]
 
 
 def sides(m: cz.Maze) -> np.ndarray:
     return m.diagram.dual_edges if m.cells == "delaunay" else m.diagram.edges
+
+
+def beside(m: cz.Maze) -> set[tuple[int, int]]:
+    """Voronoi cells that share a border of some length on the page, by shapely."""
+    xmin, ymin, xmax, ymax = m.bounds
+    sites = shapely.MultiPoint(m.diagram.sites)
+    far = shapely.box(xmin - 9, ymin - 9, xmax + 9, ymax + 9)
+    found = shapely.voronoi_polygons(sites, extend_to=far, ordered=True)
+    cells = shapely.intersection(np.array(found.geoms), shapely.box(*m.bounds))
+    first, second = shapely.STRtree(cells).query(cells, predicate="intersects")
+    shared = shapely.length(shapely.intersection(cells[first], cells[second])) > 1e-9
+    return set(zip(first[shared & (first < second)].tolist(), second[shared & (first < second)].tolist(), strict=True))
 
 
 def size(m: cz.Maze) -> int:
@@ -46,8 +60,32 @@ def test_shut_doors_join_a_cell_and_its_ancestor(n: int, seed: int, cells: str) 
             found.add(cell)
         return found
 
-    for a, b in sides(m)[~m.open].tolist():
+    neighbours = beside(m) if cells == "voronoi" else sides(m)[~m.open].tolist()
+    for a, b in neighbours:
         assert a < 0 or b < 0 or a in ancestors(b) or b in ancestors(a)
+
+
+@settings(max_examples=20, deadline=None)
+@given(n=st.integers(2, 100), seed=st.integers(0, 10**6), tree=st.sampled_from(TREES))
+def test_no_way_leaves_the_page(n: int, seed: int, tree: str) -> None:
+    page = (0.2, 0.3, 0.8, 0.6)
+    m = cz.maze(cz.sample.uniform(n, rng=seed), tree=tree, bounds=page, rng=seed)
+    neighbours = nx.Graph(list(beside(m)))
+    passages = nx.Graph(m.passages.tolist())
+    assert {frozenset(pair) for pair in passages.edges} <= {frozenset(pair) for pair in neighbours.edges}
+    # Of the cells on the page none is cut off.
+    assert nx.number_connected_components(neighbours) <= 1
+    assert len(m.passages) == max(len(neighbours) - 1, 0)
+    assert not len(neighbours) or m.start in neighbours
+
+
+def test_a_page_that_ends_along_walls_has_no_door_there() -> None:
+    grid = np.stack(np.meshgrid(np.arange(8.0), np.arange(8.0)), axis=-1).reshape(-1, 2)
+    m = cz.maze(grid, bounds=(-0.5, 1.5, 3.5, 6.5), rng=3)
+    inside = (grid[:, 0] < 3.5) & (grid[:, 1] > 1.5) & (grid[:, 1] < 6.5)
+    cells = m.diagram.site_of[inside]
+    assert np.isin(m.passages, cells).all()
+    assert len(m.passages) == inside.sum() - 1
 
 
 def test_walls_have_no_cycle_and_with_the_passages_make_the_diagram() -> None:
@@ -70,9 +108,6 @@ def test_solution_is_scipys_shortest_way(cells: str) -> None:
         assert (way[0], way[-1]) == (source, target)
         assert len(way) == distance[source, target] + 1
         assert all(frozenset(step) in doors for step in zip(way[:-1].tolist(), way[1:].tolist(), strict=True))
-
-
-TREES = ["depth-first", "kruskal", "prim", "wilson"]
 
 
 @settings(max_examples=60, deadline=None)

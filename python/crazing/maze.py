@@ -36,9 +36,9 @@ class Maze(Drawing, Record):
     cells : {"voronoi", "delaunay"}
         What a cell is: the Voronoi cell of a site, or a Delaunay triangle.
     open : (m,) bool
-        Whether the door at edge `k` of the diagram is open. Dual edges without length are no doors of Voronoi cells (a
-        cell cannot be left through a point), edges of the hull no doors of triangles. Within a shape whose outline cuts
-        an edge into several doors, whether any of them is.
+        Whether the door at edge `k` of the diagram is open. Dual edges without length within the bounds are no doors
+        of Voronoi cells (a cell cannot be left through a point), edges of the hull no doors of triangles. Within a
+        shape whose outline cuts an edge into several doors, whether any of them is.
     passages : (cells - components, 2) int32
         The spanning tree, two cells a passage, in the order of carving: parent and child, except of Kruskal's tree,
         which has no root.
@@ -275,8 +275,9 @@ def maze(
         The share of the passages whose door is really opened, from 0 (every wall stands) to 1 (the thesis: one way
         between any two cells).
     bounds : (xmin, ymin, xmax, ymax), optional
-        What the walls of Voronoi cells are clipped to. By default the bounding box of the points, grown by a tenth.
-        Doors beyond are doors all the same, and ways lead through them: for a maze on paper give the sheet as `within`.
+        The page: walls of Voronoi cells are clipped to it, and none of what lies beyond is a door, so that every way
+        stays on it. By default the bounding box of the points, grown by a tenth. Cells of points outside may have no
+        door. The sides of the page are no walls; for an outline with an entrance and an exit give it as `within`.
     period : (width, height), optional
         Carve on a torus: ways leave on one side and come in on the opposite one, see :func:`crazing.diagram`.
     within : optional
@@ -333,7 +334,7 @@ def maze(
     else:
         unconstrained(diagram)
         sides = len(diagram.sites), diagram.edges
-        doors = _core.voronoi_doors(diagram.arrays) if diagram.period is None else _torus_doors(diagram)
+        doors = _torus_doors(diagram) if diagram.period is not None else _core.voronoi_doors(diagram.arrays, box)
     _check_start(start, sides[0])
     carved = _core.carve(sides, doors, tree, start, False, opening, _rng.key(rng))
     return Maze(diagram, cells, *carved, box)

@@ -36,11 +36,11 @@ impl Sides<'_> {
     }
 }
 
-/// Which dual edges have a length, so that a Voronoi cell can be left through them.
+/// Which dual edges have a length within the bounds, so that a Voronoi cell can be left through them.
 #[pyfunction]
-pub(crate) fn voronoi_doors<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult<Row<'py, bool>> {
+pub(crate) fn voronoi_doors<'py>(py: Python<'py>, arrays: Arrays<'py>, bounds: [f64; 4]) -> PyResult<Row<'py, bool>> {
     let view = arrays.view()?;
-    Ok(PyArray1::from_vec(py, detached(py, |_| Ok(maze::voronoi_doors(view)))?))
+    Ok(PyArray1::from_vec(py, detached(py, |_| Ok(maze::voronoi_doors(view, Some(bounds))))?))
 }
 
 /// Open doors, passages and start of a maze; without a start, one is drawn, `among_doors` of the cells that have one.

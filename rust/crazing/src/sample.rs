@@ -14,6 +14,7 @@ pub use relax::relax;
 
 use crate::error::{Error, Result};
 use crate::graph::Point;
+use crate::parallel;
 use crate::quantile;
 use crate::rng::{Key, block, open_unit, stream};
 use crate::watch::Watch;
@@ -82,7 +83,7 @@ fn located(
     scale: [f64; 2],
     key: Key,
     watch: Watch<'_>,
-    quantile: impl Fn(f64) -> f64,
+    quantile: impl Fn(f64) -> f64 + Sync + Send,
 ) -> Result<Vec<Point>> {
     // No quantile of 2^-53 or more is 64 away from the middle: Laplace's farthest is 36.04, the normal one's 8.3.
     const FARTHEST: f64 = 64.0;
@@ -96,12 +97,19 @@ fn located(
 }
 
 /// `place` of two uniform numbers a point, x from word 0 and y from word 1 of the point's block.
-fn points(n: usize, key: Key, watch: Watch<'_>, place: impl Fn([f64; 2]) -> Point) -> Result<Vec<Point>> {
+fn points(n: usize, key: Key, watch: Watch<'_>, place: impl Fn([f64; 2]) -> Point + Sync + Send) -> Result<Vec<Point>> {
+    // So many between two questions whether to go on.
+    const PART: usize = 1 << 20;
     let mut points = reserved(n)?;
-    for i in 0..n {
-        watch.poll_at(i)?;
-        let words = block(key, [i as u64, 0, stream::SAMPLE, 0]);
-        points.push(place([open_unit(words[0]), open_unit(words[1])]));
+    points.resize(n, [0.0; 2]);
+    for (part, first) in points.chunks_mut(PART).zip((0..).step_by(PART)) {
+        watch.poll()?;
+        parallel::fill(part, |range, places| {
+            for (slot, i) in places.iter_mut().zip(range) {
+                let words = block(key, [(first + i) as u64, 0, stream::SAMPLE, 0]);
+                *slot = place([open_unit(words[0]), open_unit(words[1])]);
+            }
+        });
     }
     Ok(points)
 }

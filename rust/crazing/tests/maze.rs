@@ -17,7 +17,7 @@ fn of(points: &[Point]) -> Diagram {
 }
 
 fn tree_of(d: &Diagram, tree: Tree, start: Option<usize>, opening: f64, seed: u64) -> Maze {
-    let door = voronoi_doors(d.view());
+    let door = voronoi_doors(d.view(), None);
     let doors = Doors { cells: d.sites.len(), sides: &d.edges, door: &door };
     carve(doors, tree, start, opening, [seed, 0], Watch::default()).unwrap()
 }
@@ -135,11 +135,29 @@ proptest! {
         }
         let spans = intervals(&m, d.sites.len());
         let holds = |a: (usize, usize), b: (usize, usize)| a.0 <= b.0 && b.1 <= a.1;
-        for ((&[a, b], door), open) in d.edges.iter().zip(voronoi_doors(d.view())).zip(&m.open) {
+        for ((&[a, b], door), open) in d.edges.iter().zip(voronoi_doors(d.view(), None)).zip(&m.open) {
             let (a, b) = (spans[a as usize], spans[b as usize]);
             prop_assert!(!door || holds(a, b) || holds(b, a), "a shut door between cousins");
             prop_assert!(door || !open);
         }
+    }
+
+    #[test]
+    fn cells_hang_together_within_bounds_that_hold_their_sites(
+        points in prop_oneof![any_points(), lattice()], seed in any::<u64>()
+    ) {
+        let d = of(&points);
+        let ends = |i: usize| {
+            let side = d.sites.iter().map(|p| p[i]);
+            (side.clone().fold(f64::INFINITY, f64::min), side.fold(f64::NEG_INFINITY, f64::max))
+        };
+        let (x, y) = (ends(0), ends(1));
+        let most = (x.1 - x.0).max(y.1 - y.0);
+        let margin = if most > 0.0 { 0.1 * most } else { 1.0 };
+        let door = voronoi_doors(d.view(), Some([x.0 - margin, y.0 - margin, x.1 + margin, y.1 + margin]));
+        let doors = Doors { cells: d.sites.len(), sides: &d.edges, door: &door };
+        let m = carve(doors, Tree::DepthFirst, None, 1.0, [seed, 0], Watch::default()).unwrap();
+        prop_assert_eq!(m.passages.len(), d.sites.len().saturating_sub(1));
     }
 
     #[test]

@@ -50,7 +50,7 @@ pub struct Plates {
 /// # Errors
 /// Those of the steps.
 pub fn plates(view: DiagramView<'_>, how: Carving, watch: Watch<'_>) -> Result<Plates> {
-    let door = voronoi_doors(view);
+    let door = voronoi_doors(view, Some(how.bounds));
     let doors = Doors { cells: view.sites.len(), sides: view.edges, door: &door };
     // A maze is carved on one thread; what does not depend on it is done beside.
     let beside = || (clip::dual_edges(view, how.bounds, |_| true), spacing(view.sites, view.edges, &[], [0.0; 2]));

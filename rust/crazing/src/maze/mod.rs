@@ -11,8 +11,10 @@ use std::borrow::Cow;
 
 pub use way::{distances, longest, solve};
 
+use crate::clip::{Bounds, Ways};
 use crate::diagram::DiagramView;
 use crate::error::{Error, Result};
+use crate::graph::Point;
 use crate::parallel;
 use crate::rng::{Key, Rng, stream};
 use crate::watch::Watch;
@@ -44,10 +46,19 @@ pub enum Tree {
     Wilson,
 }
 
-/// Rows whose dual edge has a length: a cell cannot be left through a point.
-pub fn voronoi_doors(view: DiagramView<'_>) -> Vec<bool> {
-    let point = |[a, b]: [i32; 2]| a != -1 && b != -1 && view.vertices[a as usize] == view.vertices[b as usize];
-    parallel::map(view.dual_edges.len(), |k| !point(view.dual_edges[k]))
+/// Rows whose dual edge has a length within `bounds`, and not along their sides: a cell cannot be left through a point,
+/// nor a page at its edge.
+///
+/// Cells of sites within the bounds hang together: the dual edge of two that are joined by an edge of a shortest spanning
+/// tree holds the middle between them.
+pub fn voronoi_doors(view: DiagramView<'_>, bounds: Option<Bounds>) -> Vec<bool> {
+    let Some(bounds) = bounds else {
+        let point = |[a, b]: [i32; 2]| a != -1 && b != -1 && view.vertices[a as usize] == view.vertices[b as usize];
+        return parallel::map(view.dual_edges.len(), |k| !point(view.dual_edges[k]));
+    };
+    let ways = Ways::of(view, bounds);
+    let along_side = |[a, b]: [Point; 2]| (0..2).any(|i| a[i] == b[i] && (a[i] == bounds[i] || a[i] == bounds[i + 2]));
+    parallel::map(view.dual_edges.len(), |k| ways.cut(k).is_some_and(|ends| !along_side(ends)))
 }
 
 /// What a maze is carved through: row `k` of `sides` holds the two cells of door `k`; it is a door when `door[k]` and
@@ -65,7 +76,8 @@ pub struct Doors<'a> {
 /// Carves a maze.
 ///
 /// Depth-first truly: among the unvisited neighbours of the current cell one is drawn, each as likely as the other;
-/// where there is none the search goes back the way it came. `start` is drawn when None. `opening` is the share of
+/// where there is none the search goes back the way it came. `start` is drawn when None, a cell with a door if there is
+/// one. `opening` is the share of
 /// the passages whose door is really opened, drawn after the search; 1 is the thesis.
 ///
 /// # Errors
@@ -85,11 +97,14 @@ pub fn carve(
     let mut rng = Rng::new(key, stream::MAZE);
     // Drawn in any case, so that the same seed gives the same choices from a given start.
     let drawn = rng.below(cells as u32) as usize;
-    let start = start.unwrap_or(drawn);
-    if start >= cells.max(1) {
-        return Err(Error::BadIndex { array: "start", row: 0, value: start as i64, low: 0, limit: cells as i64 });
+    let first = start.unwrap_or(drawn);
+    if first >= cells.max(1) {
+        return Err(Error::BadIndex { array: "start", row: 0, value: first as i64, low: 0, limit: cells as i64 });
     }
-    let passages = grow(tree, Neighbours::of(cells, sides, door), start, rng, watch)?;
+    let graph = Neighbours::of(cells, sides, door);
+    let is_shut = start.is_none() && cells > 0 && graph.entries_of(graph.rank_of[first]).is_empty();
+    let start = if is_shut { cell_with_door(doors, key).unwrap_or(first) } else { first };
+    let passages = grow(tree, graph, start, rng, watch)?;
     let mut open = vec![false; sides.len()];
     for &(_, door) in opened(&passages, opening, key).iter() {
         open[door as usize] = true;
