@@ -77,6 +77,9 @@ def test_no_way_leaves_the_page(n: int, seed: int, tree: str) -> None:
     assert nx.number_connected_components(neighbours) <= 1
     assert len(m.passages) == max(len(neighbours) - 1, 0)
     assert not len(neighbours) or m.start in neighbours
+    line = shapely.MultiLineString(list(m.path(m.longest()).segments))
+    assert line.within(shapely.box(*page).buffer(1e-12)) or line.is_empty
+    assert not line.intersects(shapely.MultiLineString(list(m.walls.segments)))
 
 
 def test_a_page_that_ends_along_walls_has_no_door_there() -> None:

@@ -26,6 +26,8 @@ def path(maze: Maze, way: NDArray[np.int32]) -> PlanarGraph:
     points = np.empty((2 * len(way) - 1 if len(way) else 0, 2))
     points[::2] = maze.centres[way]
     points[1::2] = _door_middles(maze, doors)
+    if maze.cells == "voronoi" and len(doors):
+        points = _on_page(points, maze.bounds)
     if _enters(maze, way):
         ends = [maze.diagram.sites[maze.diagram.edges[int(gaps(maze)[int(way[i])][1])]].mean(axis=0) for i in (0, -1)]
         points = np.vstack([ends[0], points, ends[1]])
@@ -59,6 +61,14 @@ def _line(points: NDArray[np.float64]) -> PlanarGraph:
     return PlanarGraph(points, np.column_stack([row[:-1], row[1:]]))
 
 
+def _on_page(points: NDArray[np.float64], bounds: tuple[float, float, float, float]) -> NDArray[np.float64]:
+    """The same, but for sites beyond the bounds: the way goes straight from door to door, or begins and ends at one."""
+    low, high = np.reshape(bounds, (2, 2))
+    is_within = np.asarray(((points >= low) & (points <= high)).all(axis=1))
+    is_within[1::2] = True
+    return np.asarray(np.compress(is_within, points, axis=0))
+
+
 def _enters(maze: Maze, way: NDArray[np.int32]) -> bool:
     """Whether a way goes from one end of a maze within a shape to the other."""
     return maze.plan is not None and len(way) > 1 and {int(way[0]), int(way[-1])} == set(maze.ends)
@@ -75,7 +85,7 @@ def _routed(maze: Maze, way: NDArray[np.int32], doors: NDArray[np.intp]) -> NDAr
 
 
 def _door_middles(maze: Maze, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-    """The middle of each door, of its part in the bounds; of a door beyond them its nearest end."""
+    """The middle of each door, of its part in the bounds; of one too short to be cut there an end."""
     d = maze.diagram
     if maze.cells == "delaunay":
         return np.asarray(d.sites[d.edges[rows]].mean(axis=1))
