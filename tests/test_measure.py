@@ -203,17 +203,19 @@ def test_thinning_keeps_pieces_and_holes(mask: NDArray[np.bool_]) -> None:
 
 
 def test_skeleton_measures_as_that_of_scikit_image() -> None:
-    t_share = []
-    for seed in range(3, 7):
+    scores, t_share = [], []
+    for seed in range(3, 27):
         mask = stamp(cz.crack(n=120, opening=0.6, width=0.008, hierarchy=0, taper=0, rng=seed), 700)
         ours, theirs = cz.measure(thin(mask)), cz.measure(morphology.skeletonize(mask))
         assert mask.sum() > 3 * thin(mask).sum()
         assert ours.loops == pytest.approx(theirs.loops, abs=3)
         assert ours.nodes == pytest.approx(theirs.nodes, rel=0.05)
         assert ours.length == pytest.approx(theirs.length, rel=0.02)
-        assert ours.score({name: (value, 0.0) for name, value in theirs.to_dict().items()}) < 0.5
+        scores.append(ours.score({name: (value, 0.0) for name, value in theirs.to_dict().items()}))
         t_share.append(ours.t_share - theirs.t_share)
-    # A hundred nodes, of which either skeleton puts some a pixel aside: the share of one picture moves by .06.
+    # A hundred nodes, of which either skeleton puts some a pixel aside: the share of one picture moves by .06, and its
+    # score lies between .06 and .7.
+    assert np.mean(scores) < 0.4
     assert np.mean(t_share) == pytest.approx(0, abs=0.04)
 
 
