@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,9 @@ from crazing import _core, arguments, files
 from crazing.arguments import number
 from crazing.graph import PlanarGraph
 from crazing.record import Record
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 #: Pixels a side of what a notebook shows.
 _SHOWN = 512
@@ -189,6 +193,41 @@ class Crack(Record):
         first, second = self.graph.edges.T
         shifts = (self.shifts + away[second] - away[first]).astype(np.int8)
         return replace(self, graph=PlanarGraph(moved - away * period, self.graph.edges), shifts=shifts)
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Fills the cracks with Matplotlib, in their true widths, at equal scales.
+
+        What is drawn are the outlines that `save` writes to SVG. A pattern on a torus is cut at the sides of its
+        period, and what leaves on one side comes in on the other.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; the current axes of pyplot if not given.
+        **style
+            As for `matplotlib.collections.PolyCollection`: `facecolor`, `alpha`, `label`...
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on; showing it is left to the caller.
+
+        Raises
+        ------
+        ImportError
+            If Matplotlib is not installed.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> from matplotlib.figure import Figure
+        >>> ax = cz.crack(n=50, rng=1).plot(Figure().subplots(), facecolor="brown")
+        >>> len(ax.collections)
+        1
+        """
+        from crazing import plots
+
+        return plots.crack(self, ax, style=style)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the pattern as a drawing, in data units; an existing file is replaced.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +14,9 @@ from crazing.arguments import bounds_tuple, index_chains, period_pair, points_ar
 from crazing.graph import PlanarGraph
 from crazing.quad_edge import QuadEdge
 from crazing.record import Record
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -137,6 +140,57 @@ class Diagram(Record):
         everything = np.ones(len(self.edges), dtype=bool)
         vertices, edges, _ = _core.dual_edges(self.arrays, bounds_of(self, bounds), everything)
         return PlanarGraph(vertices, edges)
+
+    def plot(
+        self,
+        ax: Axes | None = None,
+        *,
+        delaunay: bool = True,
+        voronoi: bool | None = None,
+        bounds: ArrayLike | None = None,
+        **line_style: Any,
+    ) -> Axes:
+        """Draws the Delaunay edges in blue and the Voronoi edges in vermilion with Matplotlib, at equal scales.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; the current axes of pyplot if not given.
+        delaunay : bool
+            Whether to draw the Delaunay edges; constraints are black.
+        voronoi : bool, optional
+            Whether to draw the Voronoi edges; by default wherever there are no constraints.
+        bounds : (xmin, ymin, xmax, ymax), optional
+            What is shown, as for :meth:`voronoi`.
+        **line_style
+            Of all lines, as for `matplotlib.collections.LineCollection`: `color`, `linewidth`, `alpha`...
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on; showing it is left to the caller. The lines have labels for a legend.
+
+        Raises
+        ------
+        ImportError
+            If Matplotlib is not installed.
+        ValueError
+            If Voronoi edges of a diagram with constraints are asked for, or the bounds are none.
+
+        Examples
+        --------
+        >>> import crazing as cz
+        >>> from matplotlib.figure import Figure
+        >>> ax = cz.diagram(cz.sample.uniform(50, rng=1)).plot(Figure().subplots())
+        >>> [lines.get_label() for lines in ax.collections]
+        ['Voronoi', 'Delaunay']
+        """
+        from crazing import plots
+
+        box = bounds_of(self, bounds)
+        is_wanted = not self.constrained.any() if voronoi is None else voronoi
+        dual = self.voronoi(bounds) if is_wanted else None
+        return plots.diagram(self, ax, delaunay=delaunay, voronoi=dual, box=box, style=line_style)
 
     def _repr_svg_(self) -> str | None:
         return None if self.period is not None else self.delaunay._repr_svg_()

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core, arguments
-from crazing.extras import require
+from crazing.extras import axes, require
 from crazing.record import Record
 
 if TYPE_CHECKING:
@@ -246,15 +246,12 @@ class PlanarGraph(Record):
         >>> len(ax.collections)
         1
         """
-        if ax is None:
-            ax = require("matplotlib.pyplot", "plot").gca()
+        drawn_on: Axes = axes(ax)
         lines = require("matplotlib.collections", "plot").LineCollection(self.segments, **line_style)
-        if not hasattr(ax, "add_collection"):
-            raise TypeError(f"ax is {arguments.found(ax)}; axes of Matplotlib are wanted")
-        ax.add_collection(lines)
-        ax.set_aspect("equal")
-        ax.autoscale_view()
-        return ax
+        drawn_on.add_collection(lines)
+        drawn_on.set_aspect("equal")
+        drawn_on.autoscale_view()
+        return drawn_on
 
     def to_networkx(self) -> Any:
         """The same graph for NetworkX.

@@ -44,14 +44,14 @@ def draw(comparison: Comparison, axes: Sequence[Axes] | NDArray[np.object_] | No
         raise ValueError(f"axes has shape {panels.shape}; three axes are wanted")
     if not all(hasattr(ax, "add_collection") for ax in panels):
         raise TypeError(f"axes is {arguments.found(axes)}; three axes of Matplotlib are wanted")
-    view = _view(comparison.first.diagram.sites)
+    view = view_of(comparison.first.diagram.sites)
     sites = comparison.first.diagram.sites
     pen, dot = _pen(len(sites)), _dot(comparison, view)
     for ax, skeleton, color in zip(panels, (comparison.first, comparison.second), (FIRST, SECOND), strict=False):
         axis = skeleton.axis
         _samples(ax, sites, SAMPLE, dot)
         # The crust lies over the axis: where it has a gap, the gap is to be seen.
-        _lines(
+        draw_lines(
             ax,
             skeleton.crust,
             view,
@@ -60,7 +60,7 @@ def draw(comparison: Comparison, axes: Sequence[Axes] | NDArray[np.object_] | No
             zorder=3,
             label=f"crust ({_edges(skeleton.crust)})",
         )
-        _lines(ax, axis, view, color=color, linewidth=pen, label=f"axis ({_edges(axis)}, {_pieces(axis)})")
+        draw_lines(ax, axis, view, color=color, linewidth=pen, label=f"axis ({_edges(axis)}, {_pieces(axis)})")
         _finish(ax, skeleton.method, view, dot)
     _overlay(panels[2], comparison, view, pen, dot)
     return panels
@@ -68,7 +68,7 @@ def draw(comparison: Comparison, axes: Sequence[Axes] | NDArray[np.object_] | No
 
 def row(comparison: Comparison, make: Callable[..., Figure]) -> NDArray[np.object_]:
     """Three panels on a figure as high as they need; `make` takes its size."""
-    width, height = np.diff(_view(comparison.first.diagram.sites), axis=0)[0]
+    width, height = np.diff(view_of(comparison.first.diagram.sites), axis=0)[0]
     panel = (INCHES - 4 * GAP) / 3
     whole = TITLE + panel * float(np.clip(height / width, 0.2, 2.0)) + LEGEND
     # Placed to the inch: Matplotlib's own layouts leave white around panels of a fixed aspect.
@@ -81,14 +81,14 @@ def row(comparison: Comparison, make: Callable[..., Figure]) -> NDArray[np.objec
 def _overlay(ax: Axes, comparison: Comparison, view: NDArray[np.float64], pen: float, dot: float) -> None:
     """Both axes; what only one has lies over what they share, and is wider."""
     _samples(ax, comparison.first.diagram.sites, FAINT, dot)
-    _lines(ax, comparison.first.crust, view, color=FAINT, linewidth=0.8 * pen, zorder=1)
+    draw_lines(ax, comparison.first.crust, view, color=FAINT, linewidth=0.8 * pen, zorder=1)
     parts = {
         "in both axes": (comparison.shared, SHARED, 0.8),
         f"only {comparison.first.method}": (comparison.only_first, FIRST, 1.4),
         f"only {comparison.second.method}": (comparison.only_second, SECOND, 1.4),
     }
     for name, (graph, color, weight) in parts.items():
-        _lines(ax, graph, view, color=color, linewidth=weight * pen, label=f"{name} ({len(graph.edges)})")
+        draw_lines(ax, graph, view, color=color, linewidth=weight * pen, label=f"{name} ({len(graph.edges)})")
     _finish(ax, "both", view, dot)
 
 
@@ -100,7 +100,7 @@ def _pieces(graph: PlanarGraph) -> str:
     return f"{graph.components} piece{'s' * (graph.components != 1)}"
 
 
-def _view(sites: NDArray[np.float64]) -> NDArray[np.float64]:
+def view_of(sites: NDArray[np.float64]) -> NDArray[np.float64]:
     """[[xmin, ymin], [xmax, ymax]] of what is shown."""
     box = np.array([sites.min(axis=0), sites.max(axis=0)])
     margin = MARGIN * float((box[1] - box[0]).max())
@@ -126,7 +126,7 @@ def _dot(comparison: Comparison, view: NDArray[np.float64]) -> float:
     return float(np.clip(0.5 * apart * 288, 0.4, 3.0))
 
 
-def _lines(ax: Axes, graph: PlanarGraph, view: NDArray[np.float64], **style: Any) -> None:
+def draw_lines(ax: Axes, graph: PlanarGraph, view: NDArray[np.float64], **style: Any) -> None:
     """The edges whose boxes meet the view; the rest, often far away, would cost time and be cut off."""
     segments = graph.segments
     meets = (segments.max(axis=1) >= view[0]).all(axis=1) & (segments.min(axis=1) <= view[1]).all(axis=1)

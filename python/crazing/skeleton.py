@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,9 @@ from crazing.diagram import Diagram, as_diagram
 from crazing.errors import CrazingError
 from crazing.graph import PlanarGraph
 from crazing.record import Record
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 Mask: TypeAlias = NDArray[np.bool_]
 
@@ -206,6 +209,45 @@ class Skeleton(Record):
         """
         limits = pruning.Limits(residual, chord, length, ratio, height, retract)
         return pruning.prune(self, limits)
+
+    def plot(self, ax: Axes | None = None, *, bounds: ArrayLike | None = None, **line_style: Any) -> Axes:
+        """Draws the crust in black and the axis in vermilion with Matplotlib, at equal scales.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; the current axes of pyplot if not given.
+        bounds : (xmin, ymin, xmax, ymax), optional
+            What is shown, data units. By default the bounding box of the samples grown by 5 %: vertices of the axis
+            may lie far outside.
+        **line_style
+            Of all lines, as for `matplotlib.collections.LineCollection`: `color`, `linewidth`, `alpha`...
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on; showing it is left to the caller. The lines have labels for a legend.
+
+        Raises
+        ------
+        ImportError
+            If Matplotlib is not installed.
+        ValueError
+            If the bounds are not finite or have no area.
+
+        Examples
+        --------
+        >>> import numpy as np, crazing as cz
+        >>> from matplotlib.figure import Figure
+        >>> t = np.linspace(0, 2 * np.pi, 200, endpoint=False)
+        >>> s = cz.medial_axis(np.column_stack([2 * np.cos(t), np.sin(t)]), method="one-step")
+        >>> ax = s.prune().plot(Figure().subplots(), linewidth=2)
+        >>> [lines.get_label() for lines in ax.collections]
+        ['axis', 'crust']
+        """
+        from crazing import plots
+
+        return plots.skeleton(self, ax, bounds=bounds, style=line_style)
 
     @cached_property
     def ring_mask(self) -> Mask:
