@@ -9,11 +9,13 @@ import sys
 import textwrap
 import threading
 import time
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 
 import crazing as cz
+from crazing.export import geojson
 
 # Each takes many seconds when nobody stops it.
 LONG_CALLS = {
@@ -86,3 +88,33 @@ def test_other_threads_run_while_rust_works(rng: np.random.Generator) -> None:
     longest = max(np.diff(inside))
     # A held interpreter would give one gap as long as the whole call.
     assert longest < 0.5 * (end - start), f"no other thread ran for {longest:.3f} s of {end - start:.3f} s"
+
+
+# Of each most was once a single step of NumPy, of the encoder of JSON, or of Rust: how many points, and the call.
+STEADY: dict[str, tuple[int, Callable[[cz.Diagram], object]]] = {
+    "poles": (600_000, cz.poles),
+    "nearest neighbours": (600_000, lambda d: cz.crust(d, method="nn")),
+    "distances": (400_000, lambda d: d.delaunay.distances(d.sites)),
+    "svg": (100_000, lambda d: d.delaunay.to_svg()),
+    "geojson": (100_000, lambda d: geojson(d.delaunay)),
+    "mapping": (100_000, lambda d: d.delaunay.__geo_interface__),
+}
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs a timer that sends signals")
+@pytest.mark.parametrize("name", STEADY)
+def test_a_signal_is_looked_for_all_along(name: str, rng: np.random.Generator) -> None:
+    count, call = STEADY[name]
+    diagram = cz.diagram(rng.random((count, 2)))
+    looks: list[float] = []
+    before = signal.signal(signal.SIGALRM, lambda *_: looks.append(time.monotonic()))
+    start = time.monotonic()
+    signal.setitimer(signal.ITIMER_REAL, 0.001, 0.001)
+    try:
+        call(diagram)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    end = time.monotonic()
+    longest = max(np.diff([start, *looks, end]))
+    assert longest < 0.45 * (end - start), f"no look for {longest:.3f} s of {end - start:.3f} s"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 from pathlib import PurePath
 from typing import TYPE_CHECKING
@@ -63,12 +64,11 @@ def svg(graph: PlanarGraph, *, title: str | None = None, stroke: str = "black", 
 def geojson(graph: PlanarGraph) -> str:
     """One GeoJSON feature; its coordinates are those of the data, which need not be degrees."""
     _extent(graph)
-    feature = {
-        "type": "Feature",
-        "properties": {"maker": _maker(), "edges": len(graph.edges), "length": graph.length},
-        "geometry": graph.__geo_interface__,
-    }
-    return json.dumps(feature, allow_nan=False)
+    properties = json.dumps({"maker": _maker(), "edges": len(graph.edges), "length": graph.length}, allow_nan=False)
+    # Not by the encoder, which answers nothing until it is done, Ctrl-C neither.
+    lines = ", ".join(f"[{line}]" for line in _texts(graph, lambda x, y: f"[{x!r}, {y!r}]", ", "))
+    geometry = f'{{"type": "MultiLineString", "coordinates": [{lines}]}}'
+    return f'{{"type": "Feature", "properties": {properties}, "geometry": {geometry}}}'
 
 
 def dxf(graph: PlanarGraph) -> str:
@@ -129,8 +129,12 @@ def _extent(graph: PlanarGraph) -> tuple[float, float, float, float]:
 
 def _path(graph: PlanarGraph) -> str:
     """The `d` attribute. `repr` writes the shortest number that reads back to the same bits."""
-    coords, offsets = graph.polylines()
     # Adding zero turns -0.0 into 0.0.
-    points = [f"{x!r} {y!r}" for x, y in (coords * (1.0, -1.0) + 0.0).tolist()]
-    bounds = offsets.tolist()
-    return "".join("M" + "L".join(points[start:end]) for start, end in pairwise(bounds))
+    return "".join(f"M{line}" for line in _texts(graph, lambda x, y: f"{x + 0.0!r} {0.0 - y!r}", "L"))
+
+
+def _texts(graph: PlanarGraph, point: Callable[[float, float], str], between: str) -> Iterator[str]:
+    """Every line as text, point after point."""
+    coords, offsets = graph.polylines()
+    points = [point(x, y) for x, y in files.rows_of(coords)]
+    return (between.join(points[start:end]) for start, end in pairwise(offsets.tolist()))

@@ -22,6 +22,9 @@ from crazing import _core, arguments
 _TEXT_LIMIT = 79
 """Characters of a keyword, PNG specification, section 11.3.3.1."""
 
+_AT_A_TIME = 1 << 14
+"""Rows made into objects of Python without a look for signals: some milliseconds."""
+
 
 @contextlib.contextmanager
 def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
@@ -77,6 +80,12 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
             error.filename = str(path)
         raise
     _flush_folder(target.parent)
+
+
+def rows_of(table: NDArray[np.float64]) -> Iterator[list[float]]:
+    """The rows as lists, made many at a time: while all are made at once, Ctrl-C has to wait."""
+    for start in range(0, len(table), _AT_A_TIME):
+        yield from table[start : start + _AT_A_TIME].tolist()
 
 
 def _created(name: Path, path: str | os.PathLike[str]) -> BinaryIO:

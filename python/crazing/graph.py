@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from crazing import _core, arguments
+from crazing import _core, arguments, files
 from crazing.extras import axes, require
 from crazing.record import Record
 
@@ -309,7 +309,7 @@ class PlanarGraph(Record):
     def __geo_interface__(self) -> dict[str, Any]:
         """The polylines as a GeoJSON geometry of type MultiLineString, in data units, without a reference system."""
         coords, offsets = self.polylines()
-        points = [tuple(point) for point in coords.tolist()]
+        points = [tuple(point) for point in files.rows_of(coords)]
         starts, ends = offsets[:-1].tolist(), offsets[1:].tolist()
         lines = tuple(tuple(points[start:end]) for start, end in zip(starts, ends, strict=True))
         return {"type": "MultiLineString", "coordinates": lines}

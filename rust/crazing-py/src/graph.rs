@@ -61,5 +61,6 @@ pub(crate) fn graph_distances<'py>(
     points: PyReadonlyArray2<'py, f64>,
 ) -> PyResult<Row<'py, f64>> {
     let (vertices, edges, points) = (rows(&vertices)?, rows(&edges)?, rows(&points)?);
-    Ok(PyArray1::from_vec(py, detached(py, |_| crazing::graph::distances(vertices, edges, points))?))
+    let found = detached(py, |watch| crazing::graph::distances(vertices, edges, points, watch))?;
+    Ok(PyArray1::from_vec(py, found))
 }

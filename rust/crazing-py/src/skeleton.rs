@@ -16,13 +16,13 @@ type Mask<'py> = Bound<'py, PyArray1<bool>>;
 #[pyfunction]
 pub(crate) fn crust_mask<'py>(py: Python<'py>, arrays: Arrays<'py>, method: &str) -> PyResult<Mask<'py>> {
     let view = arrays.view()?;
-    let mask_of = match method {
-        "one-step" => skeleton::one_step,
-        "gabriel" => skeleton::gabriel,
-        "nn" => skeleton::nearest,
+    let mask = match method {
+        "one-step" => detached(py, |_| skeleton::one_step(view)),
+        "gabriel" => detached(py, |_| skeleton::gabriel(view)),
+        "nn" => detached(py, |watch| skeleton::nearest(view, watch)),
         _ => return Err(PyValueError::new_err(format!("no crust method {method:?}"))),
     };
-    Ok(PyArray1::from_vec(py, detached(py, |_| mask_of(view))?))
+    Ok(PyArray1::from_vec(py, mask?))
 }
 
 type OneStep<'py> = (Mask<'py>, Table<'py>, Table<'py>);
@@ -196,7 +196,7 @@ pub(crate) fn longest_path<'py>(
 #[pyfunction]
 pub(crate) fn poles<'py>(py: Python<'py>, arrays: Arrays<'py>, amenta: bool) -> PyResult<Bound<'py, PyArray2<i32>>> {
     let view = arrays.view()?;
-    table(py, detached(py, |_| skeleton::poles(view, variant(amenta)))?)
+    table(py, detached(py, |watch| skeleton::poles(view, variant(amenta), watch))?)
 }
 
 /// Edges between two poles in the triangulation of sites and poles.

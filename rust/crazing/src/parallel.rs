@@ -8,6 +8,9 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRef
 use rayon::slice::ParallelSliceMut;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use crate::error::Result;
+use crate::watch::Watch;
+
 /// Fewer items than this are not worth waking threads for.
 const WORTHWHILE: usize = 1 << 15;
 /// Items that one of long work counts for.
@@ -79,6 +82,21 @@ pub(crate) fn map<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> 
         |f| (0..len).map(f).collect(),
         |f| (0..len).into_par_iter().with_min_len(WORTHWHILE / 8).map(f).collect(),
     )
+}
+
+/// `f` of `0..len`, in order, asked between parts whether to go on: only the thread that called may be told to stop.
+pub(crate) fn map_watched<T: Send>(
+    len: usize,
+    f: impl Fn(usize) -> T + Sync + Send,
+    watch: Watch<'_>,
+) -> Result<Vec<T>> {
+    let mut found = Vec::with_capacity(len);
+    while found.len() < len {
+        watch.poll()?;
+        let start = found.len();
+        found.extend(map(WORTHWHILE.min(len - start), |i| f(start + i)));
+    }
+    Ok(found)
 }
 
 /// `f` of ranges that make up `0..len`, in order: for work that would make a small vector an item.

@@ -42,7 +42,7 @@ fn found(points: &[Point], name: impl Fn(i32) -> usize) -> Found {
     let one = one_step(view).unwrap();
     let not: Vec<bool> = one.iter().map(|crust| !crust).collect();
     let poles_of = |variant| -> BTreeSet<Vec<usize>> {
-        let rows = poles(view, variant).unwrap();
+        let rows = poles(view, variant, Watch::default()).unwrap();
         let corners = |pole: i32| if pole == -1 { Vec::new() } else { triangle(pole) };
         let row =
             |(site, pair): (usize, &[i32; 2])| [vec![name(site as i32)], corners(pair[0]), corners(pair[1])].concat();
@@ -54,7 +54,7 @@ fn found(points: &[Point], name: impl Fn(i32) -> usize) -> Found {
         ("two-pass", edges(&d, &name, &two_pass(view).unwrap())),
         ("edge-filter", edges(&d, &name, &edge_filter(view).unwrap().axis)),
         ("gabriel", edges(&d, &name, &gabriel(view).unwrap())),
-        ("nn", edges(&d, &name, &nearest(view).unwrap())),
+        ("nn", edges(&d, &name, &nearest(view, Watch::default()).unwrap())),
         ("initial", axis(second(view, calm).unwrap().axis)),
         ("poles, thesis", poles_of(Variant::Thesis)),
         ("poles, amenta", poles_of(Variant::Amenta)),
@@ -139,7 +139,7 @@ fn ties_change_nothing_either() {
                 one_step(d.view()).unwrap(),
                 two_pass(d.view()).unwrap(),
                 edge_filter(d.view()).unwrap().axis,
-                nearest(d.view()).unwrap(),
+                nearest(d.view(), Watch::default()).unwrap(),
             ];
             STEADY.into_iter().zip(masks.map(rows)).collect()
         };

@@ -163,24 +163,24 @@ fn distances_are_told_apart_by_one_ulp() {
 fn equally_near_neighbours_are_all_taken() {
     // Every site of a grid has two to four neighbours at distance 1, and no more.
     let d = of(&family("grid", 36, 0));
-    let mask = nearest(d.view()).unwrap();
+    let mask = nearest(d.view(), Watch::default()).unwrap();
     for (k, &[p, q]) in d.edges.iter().enumerate() {
         let [a, b] = [p, q].map(|i| d.sites[i as usize]);
         assert_eq!(mask[k], (a[0] - b[0]).abs() + (a[1] - b[1]).abs() == 1.0);
     }
     let d = of(&family("curve", 2000, 0));
-    assert_eq!(nearest(d.view()).unwrap(), one_step(d.view()).unwrap());
+    assert_eq!(nearest(d.view(), Watch::default()).unwrap(), one_step(d.view()).unwrap());
 }
 
 #[test]
 fn poles_of_a_cell_with_known_corners() {
     let d = of(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [2.0, 1.0]]);
     for variant in [Variant::Thesis, Variant::Amenta] {
-        let [first, second] = poles(d.view(), variant).unwrap()[4].map(|t| d.vertices[t as usize]);
+        let [first, second] = poles(d.view(), variant, Watch::default()).unwrap()[4].map(|t| d.vertices[t as usize]);
         assert_eq!(first, [2.0, -1.5]);
         assert!(second[0] == 2.0 && (second[1] - 19.0 / 6.0).abs() < 1e-15);
     }
-    let corner = |variant| poles(d.view(), variant).unwrap()[2];
+    let corner = |variant| poles(d.view(), variant, Watch::default()).unwrap()[2];
     assert_ne!(corner(Variant::Thesis)[0], -1);
     assert_eq!(corner(Variant::Amenta)[0], -1);
 }
@@ -224,7 +224,7 @@ proptest! {
     #[test]
     fn nearest_neighbours_join_every_site_and_are_gabriel_or_beyond(points in any_points()) {
         let d = of(&points);
-        let Ok(mask) = nearest(d.view()) else { return Ok(()) };
+        let Ok(mask) = nearest(d.view(), Watch::default()) else { return Ok(()) };
         let mut joined = vec![0; d.sites.len()];
         for (ends, _) in d.edges.iter().zip(&mask).filter(|(_, kept)| **kept) {
             ends.iter().for_each(|&end| joined[end as usize] += 1);
@@ -233,7 +233,7 @@ proptest! {
         let other = of(&shuffled(&points, 3));
         prop_assert_eq!(crust_bits(&d, &mask).len(), mask.iter().filter(|&&kept| kept).count());
         if points.len() < 40 && d.sites.iter().flatten().all(|x| x.fract() != 0.0) {
-            prop_assert_eq!(crust_bits(&d, &mask), crust_bits(&other, &nearest(other.view()).unwrap()));
+            prop_assert_eq!(crust_bits(&d, &mask), crust_bits(&other, &nearest(other.view(), Watch::default()).unwrap()));
         }
     }
 
@@ -242,7 +242,7 @@ proptest! {
         let d = of(&points);
         let representative = representatives(d.view());
         for variant in [Variant::Thesis, Variant::Amenta] {
-            let Ok(poles) = poles(d.view(), variant) else { return Ok(()) };
+            let Ok(poles) = poles(d.view(), variant, Watch::default()) else { return Ok(()) };
             let mut hull = vec![false; d.sites.len()];
             for (ends, _) in d.edges.iter().zip(&d.dual_edges).filter(|(_, dual)| dual.contains(&-1)) {
                 ends.iter().for_each(|&end| hull[end as usize] = true);

@@ -3,6 +3,7 @@
 use super::{Point, check};
 use crate::error::Result;
 use crate::parallel;
+use crate::watch::Watch;
 
 /// Most columns and rows of the grid.
 const MOST: usize = 2048;
@@ -21,12 +22,14 @@ struct Grid {
 /// Distance of every point from the nearest edge, infinite when there is none.
 ///
 /// # Errors
-/// [`Error::BadIndex`](crate::Error::BadIndex) or [`Error::TooMany`](crate::Error::TooMany) for edges that do not fit.
-pub fn distances(vertices: &[Point], edges: &[[i32; 2]], points: &[Point]) -> Result<Vec<f64>> {
+/// [`Error::BadIndex`](crate::Error::BadIndex) or [`Error::TooMany`](crate::Error::TooMany) for edges that do not fit;
+/// [`Error::Interrupted`](crate::Error::Interrupted).
+pub fn distances(vertices: &[Point], edges: &[[i32; 2]], points: &[Point], watch: Watch<'_>) -> Result<Vec<f64>> {
     check(vertices.len(), edges)?;
-    let segments: Vec<[Point; 2]> = edges.iter().map(|ends| ends.map(|v| vertices[v as usize])).collect();
-    let grid = Grid::of(&segments);
-    Ok(parallel::map(points.len(), |i| grid.nearest(&segments, points[i])))
+    let segment = |i: usize| edges[i].map(|v| vertices[v as usize]);
+    let segments: Vec<[Point; 2]> = parallel::map_watched(edges.len(), segment, watch)?;
+    let grid = Grid::of(&segments, watch)?;
+    parallel::map_watched(points.len(), |i| grid.nearest(&segments, points[i]), watch)
 }
 
 /// Distance of a point from a segment.
@@ -38,7 +41,7 @@ fn apart([a, b]: [Point; 2], p: Point) -> f64 {
 }
 
 impl Grid {
-    fn of(segments: &[[Point; 2]]) -> Self {
+    fn of(segments: &[[Point; 2]], watch: Watch<'_>) -> Result<Self> {
         let ends = || segments.iter().flatten();
         let low = [0, 1].map(|i| ends().fold(f64::INFINITY, |low, p| low.min(p[i])));
         let high = [0, 1].map(|i| ends().fold(f64::NEG_INFINITY, |high, p| high.max(p[i])));
@@ -51,8 +54,9 @@ impl Grid {
         let count = |length: f64| ((length / side) as usize).min(MOST) + 1;
         let (columns, rows) = (count(width), count(height));
         let mut grid = Self { low, side, columns, rows, starts: vec![0; columns * rows + 1], held: Vec::new() };
-        let squares: Vec<[usize; 4]> = segments.iter().map(|&segment| grid.box_of(segment)).collect();
-        for &corners in &squares {
+        let squares: Vec<[usize; 4]> = parallel::map_watched(segments.len(), |i| grid.box_of(segments[i]), watch)?;
+        for (i, &corners) in squares.iter().enumerate() {
+            watch.poll_at(i)?;
             for square in grid.within(corners) {
                 grid.starts[square + 1] += 1;
             }
@@ -63,12 +67,13 @@ impl Grid {
         let mut next = grid.starts.clone();
         grid.held = vec![0; grid.starts[grid.starts.len() - 1] as usize];
         for (i, &b) in squares.iter().enumerate() {
+            watch.poll_at(i)?;
             for square in grid.within(b) {
                 grid.held[next[square] as usize] = i as u32;
                 next[square] += 1;
             }
         }
-        grid
+        Ok(grid)
     }
 
     fn column_and_row(&self, p: Point) -> [usize; 2] {

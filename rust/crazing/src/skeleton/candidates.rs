@@ -1,11 +1,10 @@
 //! The edges a curve may be made of: those of the diagram, and on request the other diagonal of two triangles.
 
-use std::collections::BTreeSet;
-
 use crate::diagram::DiagramView;
 use crate::error::Result;
 use crate::graph::Point;
 use crate::incidence::Incidence;
+use crate::parallel;
 use crate::predicates::orientation;
 use crate::watch::Watch;
 
@@ -35,33 +34,31 @@ impl Candidates {
     }
 
     /// And those across, wherever two triangles make a convex quadrilateral.
-    pub(super) fn with_across(view: DiagramView<'_>) -> Self {
+    ///
+    /// # Errors
+    /// [`crate::Error::Interrupted`].
+    pub(super) fn with_across(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Self> {
         let (mut edges, mut crossed) = (view.edges.to_vec(), Vec::new());
         let mut across = vec![NONE; edges.len()];
-        for (k, &duals) in view.dual_edges.iter().enumerate() {
-            if let Some(edge) = diagonal(view, view.edges[k], duals) {
+        let over = parallel::map_watched(edges.len(), |k| diagonal(view, view.edges[k], view.dual_edges[k]), watch)?;
+        for (k, edge) in over.into_iter().enumerate() {
+            if let Some(edge) = edge {
                 across[k] = edges.len() as u32;
                 crossed.push(k as u32);
                 edges.push(edge);
             }
         }
+        watch.poll()?;
         let about = Incidence::of(view.sites.len(), &edges);
-        Self { edges, about, crossed, across, duals: view.dual_edges.to_vec(), sides: sides(view) }
+        watch.poll()?;
+        Ok(Self { edges, about, crossed, across, duals: view.dual_edges.to_vec(), sides: sides(view) })
     }
 
     /// The end of an edge that is not `v`.
+    #[inline]
     pub(super) fn other(&self, k: u32, v: usize) -> usize {
         let [a, b] = self.edges[k as usize].map(|end| end as usize);
         if a == v { b } else { a }
-    }
-
-    /// All sites within so many edges of a few.
-    pub(super) fn around(&self, mut last: Vec<usize>, steps: usize) -> BTreeSet<usize> {
-        let mut seen: BTreeSet<usize> = last.iter().copied().collect();
-        for _ in 0..steps {
-            last = last.iter().flat_map(|&v| self.beside(v)).filter(|&u| seen.insert(u)).collect();
-        }
-        seen
     }
 
     /// Which of all `sites` are within so many edges of many.
@@ -85,7 +82,8 @@ impl Candidates {
         Ok(seen)
     }
 
-    fn beside(&self, v: usize) -> impl Iterator<Item = usize> {
+    /// The sites at the other ends of the edges at one.
+    pub(super) fn beside(&self, v: usize) -> impl Iterator<Item = usize> {
         self.about.at(v).iter().map(move |&k| self.other(k, v))
     }
 

@@ -42,8 +42,10 @@ pub(super) struct End {
 }
 
 impl End {
-    pub(super) fn of(from: Point, to: Point) -> Self {
-        Self { step: [to[0] - from[0], to[1] - from[1]], length: distance(from, to) }
+    /// An edge whose length is known.
+    #[inline]
+    pub(super) fn of(from: Point, to: Point, length: f64) -> Self {
+        Self { step: [to[0] - from[0], to[1] - from[1]], length }
     }
 }
 

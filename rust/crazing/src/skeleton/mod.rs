@@ -11,6 +11,7 @@ mod curve;
 mod disc;
 mod doors;
 mod drawn;
+mod exchange;
 mod far;
 mod flood;
 mod gabriel;

@@ -7,6 +7,7 @@ use crate::graph::Point;
 use crate::incidence::Incidence;
 use crate::parallel;
 use crate::predicates::{apex_sign, nearer_sign};
+use crate::watch::Watch;
 
 /// Whether each edge joins a site to its nearest neighbour, or to the nearest one beyond it: at more than 90 degrees
 /// from the first. Neighbours are those of the diagram.
@@ -15,16 +16,17 @@ use crate::predicates::{apex_sign, nearer_sign};
 /// of them, so the result depends neither on the order of the sites nor on a turn.
 ///
 /// # Errors
-/// [`crate::Error::TooFewSites`] or [`crate::Error::Collinear`].
+/// [`crate::Error::TooFewSites`], [`crate::Error::Collinear`], [`crate::Error::Interrupted`].
 ///
 /// # Source
 /// Dey, Kumar: A Simple Provable Algorithm for Curve Reconstruction (1999).
-pub fn nearest(view: DiagramView<'_>) -> Result<Vec<bool>> {
+pub fn nearest(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Vec<bool>> {
     view.check_triangle()?;
     let scale = Scale::of(largest(view.sites));
     let sites: Vec<Point> = view.sites.iter().map(|&p| scale.down(p)).collect();
     let about = Incidence::of(sites.len(), view.edges);
-    let joined = parallel::map(sites.len(), |site| joined(view, &sites, about.at(site), site as i32));
+    let of = |site: usize| joined(view, &sites, about.at(site), site as i32);
+    let joined = parallel::map_watched(sites.len(), of, watch)?;
     let mut mask = vec![false; view.edges.len()];
     for k in joined.into_iter().flatten() {
         mask[k as usize] = true;

@@ -25,18 +25,19 @@ pub enum Variant {
 /// of a pole at infinity is the mean of the outward unit normals of the two hull edges at the site.
 ///
 /// # Errors
-/// [`crate::Error::TooFewSites`] or [`crate::Error::Collinear`].
+/// [`crate::Error::TooFewSites`], [`crate::Error::Collinear`], [`crate::Error::Interrupted`].
 ///
 /// # Source
 /// Amenta, Bern: Surface Reconstruction by Voronoi Filtering (1999); thesis, section 5.1.
-pub fn poles(view: DiagramView<'_>, variant: Variant) -> Result<Vec<[i32; 2]>> {
+pub fn poles(view: DiagramView<'_>, variant: Variant, watch: Watch<'_>) -> Result<Vec<[i32; 2]>> {
     view.check_triangle()?;
-    let cells = Cells::of(view);
+    let cells = Cells::of(view, watch)?;
     let outward = if variant == Variant::Amenta { outward(view, &cells.sites) } else { Vec::new() };
-    Ok(parallel::map(view.sites.len(), |site| match variant {
+    let of = |site: usize| match variant {
         Variant::Thesis => cells.thesis(site),
         Variant::Amenta => cells.amenta(site, outward[site]),
-    }))
+    };
+    parallel::map_watched(view.sites.len(), of, watch)
 }
 
 /// Edges of the Delaunay triangulation of sites and poles that join two poles, sorted, each with the lower end first.
@@ -47,7 +48,8 @@ pub fn poles(view: DiagramView<'_>, variant: Variant) -> Result<Vec<[i32; 2]>> {
 /// # Source
 /// Thesis, section 5.1.
 pub fn poles_axis(view: DiagramView<'_>, variant: Variant, watch: Watch<'_>) -> Result<Vec<[i32; 2]>> {
-    let mut distinct: Vec<i32> = poles(view, variant)?.into_iter().flatten().filter(|&t| t != -1).collect();
+    let mut distinct: Vec<i32> = poles(view, variant, watch)?.into_iter().flatten().filter(|&t| t != -1).collect();
+    watch.poll()?;
     distinct.sort_unstable();
     distinct.dedup();
     let scale = Scale::of(largest(view.sites));
@@ -70,14 +72,13 @@ struct Cells {
 }
 
 impl Cells {
-    fn of(view: DiagramView<'_>) -> Self {
+    fn of(view: DiagramView<'_>, watch: Watch<'_>) -> Result<Self> {
         let scale = Scale::of(largest(view.sites));
-        Self {
-            sites: view.sites.iter().map(|&p| scale.down(p)).collect(),
-            vertices: view.vertices.iter().map(|&v| near(scale.down(v))).collect(),
-            representative: representatives(view),
-            triangles: Incidence::of(view.sites.len(), view.triangles),
-        }
+        let sites = parallel::map_watched(view.sites.len(), |i| scale.down(view.sites[i]), watch)?;
+        let vertices = parallel::map_watched(view.vertices.len(), |i| near(scale.down(view.vertices[i])), watch)?;
+        let representative = representatives(view);
+        watch.poll()?;
+        Ok(Self { sites, vertices, representative, triangles: Incidence::of(view.sites.len(), view.triangles) })
     }
 
     /// The corners of a cell; coincident ones repeat.
