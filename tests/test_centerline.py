@@ -126,7 +126,7 @@ REFUSED: dict[str, tuple[Any, type[Exception], str]] = {
     "a feature of nothing": ({"type": "Feature", "geometry": None}, cz.DegenerateInputError, "polygon is empty"),
     "a number": (7, TypeError, "polygon is 7; a polygon, a ring or a list"),
     "two points": ([(0, 0), (1, 1)], cz.DegenerateInputError, "ring 0 of polygon 0 has 2 distinct points; at least 3"),
-    "one point": ([(1, 2)] * 5, cz.DegenerateInputError, "ring 0 of polygon 0 has 1 distinct points"),
+    "one point": ([(1, 2)] * 5, cz.DegenerateInputError, "ring 0 of polygon 0 has 1 distinct point;"),
     "a flat hole": ((BOX, [[(1, 1), (2, 1)]]), cz.DegenerateInputError, "ring 1 of polygon 0 has 2 distinct points"),
     "a bad part": ([BOX, [(9, 9), (10, 9), (9, 9)]], cz.DegenerateInputError, "ring 0 of polygon 1 has 2 distinct"),
     "memory": (memoryview(np.zeros((3, 2))), TypeError, "polygon is <memory at"),

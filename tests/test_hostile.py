@@ -224,8 +224,15 @@ def test_far_from_one_is_not_too_far(name: str) -> None:
 
 @pytest.mark.parametrize("radius", [1e-200, 1e200])
 def test_a_radius_without_a_square_is_named(radius: float) -> None:
-    with pytest.raises(cz.CrazingError, match=r"radius is 1e-?200; a positive number .* whose square is a float"):
+    with pytest.raises(cz.CrazingError, match=r"radius is 1e-?200; a positive number whose square is a float"):
         cz.sample.poisson_disk(radius)
+
+
+def test_a_radius_too_small_for_the_bounds_is_told_why() -> None:
+    with pytest.raises(
+        cz.CrazingError, match=r"radius is 1e-6; so near .* more than 90 million points have room; a larger"
+    ):
+        cz.sample.poisson_disk(1e-6)
 
 
 @pytest.mark.parametrize("name", SHAPELESS)

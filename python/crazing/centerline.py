@@ -154,7 +154,8 @@ def _opened(given: Ring, name: str) -> Ring:
         ring = ring[np.append(True, is_new)]
     if len(ring) < 3:
         distinct = len(np.unique(given, axis=0))
-        raise DegenerateInputError(f"{name} has {distinct} distinct points; at least 3 are wanted")
+        plural = "s" * (distinct != 1)
+        raise DegenerateInputError(f"{name} has {distinct} distinct point{plural}; at least 3 are wanted")
     # Nearly always the first few points tell.
     if _is_straight(ring[:FEWEST]) and _is_straight(ring):
         raise DegenerateInputError(f"{name} has no area")

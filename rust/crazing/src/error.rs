@@ -30,7 +30,7 @@ pub enum Error {
         limit: usize,
     },
     /// Fewer than three distinct sites.
-    #[error("{found} distinct sites; at least 3 are needed")]
+    #[error("{} distinct site{}; at least 3 are needed", found, plural(*found))]
     TooFewSites {
         /// How many distinct sites there are.
         found: usize,
@@ -56,7 +56,7 @@ pub enum Error {
         limit: i64,
     },
     /// Two arrays that belong together differ in length.
-    #[error("{array} has {found} rows; {wanted} are wanted")]
+    #[error("{array} has {found} row{}; {wanted} {} wanted", plural(*found), if *wanted == 1 { "is" } else { "are" })]
     BadLength {
         /// Which array.
         array: &'static str,
@@ -139,6 +139,11 @@ pub enum Error {
     Internal(&'static str),
 }
 
+/// What a noun ends in after so many.
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}
+
 /// A number as Python spells it.
 fn spelt(value: f64) -> String {
     if value.is_nan() { "nan".into() } else { format!("{value:?}") }
@@ -161,6 +166,17 @@ mod tests {
         assert_eq!(message(-0.0), "radius is -0; more is wanted");
         assert_eq!(message(1e200), "radius is 1e200; more is wanted");
         assert_eq!(message(-5e-324), "radius is -5e-324; more is wanted");
+    }
+
+    #[test]
+    fn one_is_not_many() {
+        let text = [0, 1, 2].map(|found| Error::TooFewSites { found }.to_string());
+        assert_eq!(
+            text.map(|text| text.chars().take(16).collect::<String>()),
+            ["0 distinct sites", "1 distinct site;", "2 distinct sites"]
+        );
+        let text = Error::BadLength { array: "mask", found: 1, wanted: 1 }.to_string();
+        assert_eq!(text, "mask has 1 row; 1 is wanted");
     }
 
     #[test]

@@ -79,10 +79,13 @@ impl Grid {
     fn of(radius: f64, bounds: [f64; 4], on_torus: bool) -> Result<Self> {
         let sides = [bounds[2] - bounds[0], bounds[3] - bounds[1]];
         let wanted = sides.map(|side| (side / radius * std::f64::consts::SQRT_2).ceil().max(1.0));
+        let refused = |wanted| Err(Error::BadValue { name: "radius", value: radius, wanted });
         // Distances are compared by their squares: if all of these were zero or infinite, there would always be room.
-        if !(radius > 0.0 && (radius * radius).is_normal() && wanted[0] * wanted[1] <= MOST_CELLS) {
-            let wanted = "a positive number is wanted, not too small for the bounds, whose square is a float";
-            return Err(Error::BadValue { name: "radius", value: radius, wanted });
+        if !(radius > 0.0 && (radius * radius).is_normal()) {
+            return refused("a positive number whose square is a float is wanted");
+        }
+        if wanted[0] * wanted[1] > MOST_CELLS {
+            return refused("so near to each other, more than 90 million points have room; a larger radius is wanted");
         }
         let counts = wanted.map(|count| count as usize);
         let sides = [0, 1].map(|i| sides[i] / counts[i] as f64);
