@@ -224,3 +224,25 @@ def test_small_polygons_have_points_of_their_own() -> None:
     line = cz.centerline(shape)
     assert line.components == len(parts)
     assert shape.buffer(1e-9).contains(line.to_shapely())
+
+
+@pytest.mark.parametrize("spacing", [None, 0.1, 0.3])
+def test_small_holes_along_the_shell_are_no_splinters_of_it(spacing: float | None) -> None:
+    # A few points each, a few steps from a ring with ten times as many.
+    side = 9
+    places = [(x + 0.5, y + 0.5) for x in range(side) for y in range(side)]
+    polygon = shapely.box(0, 0, side, side) - shapely.union_all(
+        [shapely.box(x - 0.2, y - 0.2, x + 0.2, y + 0.2) for x, y in places]
+    )
+    line = cz.centerline(polygon, spacing=spacing)
+    assert line.components == 1
+    assert len(line.edges) - len(line.vertices) + 1 == side * side
+    assert polygon.buffer(1e-9).contains(line.to_shapely())
+
+
+def test_four_ends_just_as_wide_as_a_lobe_may_be_are_alike() -> None:
+    # Every end spans a fortieth of the boundary, but for the last bit.
+    cross = shapely.box(-5, -0.5, 5, 0.5) | shapely.box(-0.5, -5, 0.5, 5)
+    for scale in (1, 3, 0.1):
+        line = cz.centerline(shapely.affinity.scale(cross, scale, scale))
+        assert (line.components, line.leaves) == (1, 4)

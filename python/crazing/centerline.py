@@ -16,8 +16,9 @@ from crazing.errors import CrazingError, DegenerateInputError
 from crazing.graph import PlanarGraph
 from crazing.polygons import Ring, polygons
 
-#: Least part of its ring that an edge of the centreline spans.
-RESIDUAL = 0.025
+#: Part of its ring that an edge of the centreline spans more than: the arms into the corners of an end that is just so
+#: wide are alike, whatever the last bit.
+RESIDUAL = 0.025 * (1 + 1e-9)
 #: Points on the boundary by default: at least so many, and at most.
 FEWEST, MOST = 400, 250_000
 #: Points round a hole of several polygons, at least.
@@ -48,7 +49,8 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
     Returns
     -------
     PlanarGraph
-        One path round every hole and one arm into every corner and lobe that spans 2.5 % of its ring or more.
+        One path round every hole and one arm into every corner and lobe that spans more than 2.5 % of its ring, up to
+        where it does; of a circle, whose axis is a point, nothing.
 
     Raises
     ------
@@ -101,7 +103,7 @@ def _axis(rings: list[Ring], apart: Callable[[list[Ring]], list[float]]) -> tupl
     made = conforming([*map(_densified, rings, apart(rings))], QUICK)
     if made is not None and not is_touched(*made[:2]):
         found, boundary, _ = made
-        inside, _, residual = _core.sides(found.arrays, boundary)
+        inside, _, residual = _core.sides(found.arrays, boundary, True)
     else:
         # Rare, and half as dear as all the rest: sides that cross are named, rings that touch come apart.
         rings = _plain(rings)

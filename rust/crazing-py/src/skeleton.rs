@@ -92,17 +92,19 @@ pub(crate) fn curve_edges<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult
 type Sides<'py> = (Mask<'py>, Mask<'py>, Bound<'py, PyArray1<f64>>);
 
 /// Whether each dual edge is inside the rings of the masked edges, whether one passes between its ends, and its arc
-/// residual.
+/// residual. Rings that are known hold no splinters.
 #[pyfunction]
+#[pyo3(signature = (arrays, mask, are_known = false))]
 pub(crate) fn sides<'py>(
     py: Python<'py>,
     arrays: Arrays<'py>,
     mask: PyReadonlyArray1<'py, bool>,
+    are_known: bool,
 ) -> PyResult<Sides<'py>> {
     let view = arrays.view()?;
     let mask = column(&mask, "mask", view.edges.len())?;
     let (inside, crossed, residuals) = detached(py, |watch| {
-        let (rings, inside) = skeleton::Rings::with_inside(view, mask, watch)?;
+        let (rings, inside) = skeleton::Rings::with_inside(view, mask, are_known, watch)?;
         Ok((inside, rings.walls_between().to_vec(), rings.residuals()))
     })?;
     Ok((PyArray1::from_vec(py, inside), PyArray1::from_vec(py, crossed), PyArray1::from_vec(py, residuals)))

@@ -56,7 +56,7 @@ fn inside_is_the_same_whether_rings_have_gaps_or_not() {
         let gap = crust.iter().position(|&kept| kept).unwrap();
         let gapped: Vec<bool> = crust.iter().enumerate().map(|(k, &kept)| kept && k != gap).collect();
         for mask in [&crust, &gapped] {
-            let (rings, inside) = Rings::with_inside(d.view(), mask, Watch::default()).unwrap();
+            let (rings, inside) = Rings::with_inside(d.view(), mask, false, Watch::default()).unwrap();
             assert_eq!(rings.walls_between(), crust);
             assert_eq!(inside, Rings::of(d.view(), mask, Watch::default()).unwrap().inside(Watch::default()).unwrap());
             assert!(inside.iter().any(|&inside| inside));

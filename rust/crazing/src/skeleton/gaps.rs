@@ -43,9 +43,11 @@ struct Net<'a> {
     about: &'a Incidence,
 }
 
-/// Where the sites stand, if there is nothing to mend: every site is on one ring, and none of these is small.
-pub(super) fn whole(count: usize, lines: &[Line]) -> Option<Vec<Stand>> {
-    let are_rings = lines.iter().all(|line| line.closed && line.sites.len() >= SPLINTER);
+/// Where the sites stand, if there is nothing to mend: every site is on one ring, and none of these is small, if that
+/// may be a splinter.
+pub(super) fn whole(count: usize, lines: &[Line], may_splinter: bool) -> Option<Vec<Stand>> {
+    let least = if may_splinter { SPLINTER } else { 0 };
+    let are_rings = lines.iter().all(|line| line.closed && line.sites.len() >= least);
     if !are_rings || lines.iter().map(|line| line.sites.len()).sum::<usize>() != count {
         return None;
     }

@@ -46,12 +46,16 @@ impl<'a> Rings<'a> {
     /// # Errors
     /// [`Error::BadLength`], [`Error::Interrupted`].
     pub fn of(view: DiagramView<'a>, mask: &[bool], watch: Watch<'_>) -> Result<Self> {
+        Self::read(view, mask, true, watch)
+    }
+
+    fn read(view: DiagramView<'a>, mask: &[bool], may_splinter: bool, watch: Watch<'_>) -> Result<Self> {
         fits("mask", mask, view)?;
         let scale = Scale::of(largest(view.sites));
         let sites: Vec<Point> = view.sites.iter().map(|&p| scale.down(p)).collect();
         let kept: Vec<[i32; 2]> = view.edges.iter().zip(mask).filter(|(_, kept)| **kept).map(|(&e, _)| e).collect();
         let lines = opened(&polylines(sites.len(), &kept, watch)?);
-        if let Some(stands) = gaps::whole(sites.len(), &lines) {
+        if let Some(stands) = gaps::whole(sites.len(), &lines, may_splinter) {
             let along = lines.iter().map(|line| travelled(line, &sites)).collect();
             return Ok(Self { view, scale, sites, lines, stands, along, wall: mask.to_vec() });
         }
@@ -65,12 +69,20 @@ impl<'a> Rings<'a> {
 
     /// The rings, and [`Rings::inside`] of them: looked for meanwhile as if no line had a gap, and again if one has.
     ///
+    /// `are_known` says that the rings were given and not found: then a small one near a long one is a hole or an
+    /// island, and no splinter of noise.
+    ///
     /// # Errors
     /// [`Error::BadLength`], [`Error::Interrupted`].
-    pub fn with_inside(view: DiagramView<'a>, mask: &[bool], watch: Watch<'_>) -> Result<(Self, Vec<bool>)> {
+    pub fn with_inside(
+        view: DiagramView<'a>,
+        mask: &[bool],
+        are_known: bool,
+        watch: Watch<'_>,
+    ) -> Result<(Self, Vec<bool>)> {
         fits("mask", mask, view)?;
-        let (rings, inside) =
-            parallel::join(view.edges.len(), || Self::of(view, mask, watch), || inside(view, mask, watch));
+        let read = || Self::read(view, mask, !are_known, watch);
+        let (rings, inside) = parallel::join(view.edges.len(), read, || inside(view, mask, watch));
         let rings = rings?;
         let inside = if rings.wall == mask { inside? } else { rings.inside(watch)? };
         Ok((rings, inside))
