@@ -94,6 +94,16 @@ def test_every_form_of_a_polygon_is_taken(form: str) -> None:
     assert line.length == pytest.approx(cz.centerline(BOX, spacing=0.1).length, rel=1e-9)
 
 
+def test_what_mending_leaves_is_taken() -> None:
+    # A spike out of the side of a box.
+    spike = shapely.Polygon([(0, 0), (8, 0), (8, 1), (9, 1), (8, 1), (8, 2), (0, 2)])
+    mended = shapely.make_valid(spike)
+    assert {part.geom_type for part in mended.geoms} == {"Polygon", "LineString"}
+    assert cz.centerline(mended, spacing=0.1).leaves == 4
+    with pytest.raises(cz.DegenerateInputError, match="polygon is empty"):
+        cz.centerline(shapely.GeometryCollection([shapely.Point(0, 0)]))
+
+
 def test_a_thin_gap_is_resolved_whatever_the_spacing() -> None:
     polygon = shapely.box(0, 0, 10, 2) - shapely.box(1, 0.999, 9, 1.001)
     line = cz.centerline(polygon, spacing=1.0)
@@ -246,3 +256,32 @@ def test_four_ends_just_as_wide_as_a_lobe_may_be_are_alike() -> None:
     for scale in (1, 3, 0.1):
         line = cz.centerline(shapely.affinity.scale(cross, scale, scale))
         assert (line.components, line.leaves) == (1, 4)
+
+
+def in_polygon(line: cz.PlanarGraph, polygon: Any) -> bool:
+    return bool(polygon.buffer(1e-9).contains(line.to_shapely()))
+
+
+@pytest.mark.parametrize("gap", [1e-2, 1e-3, 1e-5, 1e-7])
+def test_a_strait_far_narrower_than_points_are_apart_is_followed(gap: float) -> None:
+    shell = [(0, 0), (9, 0), (9, 9), (0, 9)]
+    square = shapely.Polygon(shell, [[(gap, 4), (2, 4), (2, 5), (gap, 5)]])
+    askew = shapely.Polygon(shell, [[(gap, 4), (2, 4.3), (2, 5), (1, 4.7)]])
+    for polygon in (square, askew):
+        line = cz.centerline(polygon)
+        assert in_polygon(line, polygon)
+        assert (line.components, len(line.edges) - len(line.vertices) + 1) == (1, 1)
+        # By a point opposite each that is there, not by points as near as the strait is wide.
+        assert len(line.edges) < 1000
+
+
+@pytest.mark.parametrize("width", [0.3, 1e-2, 1e-4])
+def test_lakes_and_the_river_between_them_are_one(width: float) -> None:
+    course = shapely.LineString([(0, 0), (30, 7), (41, -9), (80, 3)])
+    lakes = [shapely.Point(place).buffer(9) for place in course.coords]
+    polygon = shapely.union_all([*lakes, course.buffer(width / 2, cap_style="flat", join_style="mitre")])
+    line = cz.centerline(polygon)
+    assert in_polygon(line, polygon)
+    assert (line.components, len(line.edges) - len(line.vertices)) == (1, -1)
+    river = shapely.get_coordinates([course.interpolate(far) for far in np.linspace(10, 20, 99)])
+    assert line.distances(river).max() < width

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from crazing import _core
 from crazing.arguments import number
-from crazing.conforming import QUICK, ROUNDS, conforming, is_touched, side_lengths, within
+from crazing.conforming import QUICK, ROUNDS, conforming, is_touched, side_lengths, with_feet, within
 from crazing.diagram import Diagram
 from crazing.errors import CrazingError, DegenerateInputError
 from crazing.graph import PlanarGraph
@@ -25,6 +25,8 @@ FEWEST, MOST = 400, 250_000
 ROUND = 12
 #: Parts of the mean width that default points are apart.
 PARTS = 4
+#: Rounds of points opposite to others in straits that are narrower than points are apart.
+STRAITS = 8
 #: Coordinates below two to this power, and above its inverse, are taken as they are.
 PLAIN = 256
 
@@ -101,21 +103,27 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
 def _axis(rings: list[Ring], apart: Callable[[list[Ring]], list[float]]) -> tuple[Diagram, NDArray[np.int32]]:
     """The diagram of points along the rings, and the pairs of its vertices that are the axis."""
     made = conforming([*map(_densified, rings, apart(rings))], QUICK)
-    if made is not None and not is_touched(*made[:2]):
-        found, boundary, _ = made
-        inside, _, residual = _core.sides(found.arrays, boundary, True)
-    else:
+    is_quick = made is not None and not is_touched(*made[:2])
+    if not is_quick:
         # Rare, and half as dear as all the rest: sides that cross are named, rings that touch come apart.
         rings = _plain(rings)
         made = conforming([*map(_densified, rings, apart(rings))], ROUNDS)
-        if made is None:
-            raise CrazingError(
-                "the boundary of the polygon comes too near to itself; touches in single points are fine"
-            )
+    if made is None:
+        raise CrazingError("the boundary of the polygon comes too near to itself; touches in single points are fine")
+    for rounds in range(STRAITS + 1):
         found, boundary, rings = made
-        inside, residual = within(found, boundary, rings)
-    # A neck before a hole spans little of its ring, and is no hair.
-    return found, _core.axis_edges(found.arrays, _core.peeled(found.arrays, inside, residual, RESIDUAL))
+        if is_quick:
+            inside, _, residual = _core.sides(found.arrays, boundary, True)
+        else:
+            inside, residual = within(found, boundary, rings)
+        # A neck before a hole spans little of its ring, and is no hair.
+        kept = _core.peeled(found.arrays, inside, residual, RESIDUAL)
+        finer = with_feet(found, boundary, rings, kept) if rounds < STRAITS else None
+        made = None if finer is None else conforming(finer, ROUNDS)
+        if made is None:
+            break
+        is_quick = is_quick and not is_touched(*made[:2])
+    return found, _core.axis_edges(found.arrays, kept)
 
 
 def _plain(rings: list[Ring]) -> list[Ring]:

@@ -84,6 +84,40 @@ def within(found: Diagram, boundary: Mask, rings: list[Ring]) -> tuple[Mask, NDA
     return inside, result
 
 
+def with_feet(found: Diagram, boundary: Mask, rings: list[Ring], kept: Mask) -> list[Ring] | None:
+    """The rings with more points where the kept axis leaves them, None where it does not.
+
+    In a strait narrower than points are apart, one of them sees a side opposite under an obtuse angle, and the centre
+    of their circle lies beyond that side. With the foot of the point on the side the angle is a right one: the strait
+    needs no more points the narrower it is.
+    """
+    out = _core.beyond(found.arrays, boundary, kept)
+    if not len(out):
+        return None
+    edges, third = found.edges[out[:, 0]], found.sites[out[:, 1]]
+    ends = found.sites[edges]
+    step = ends[:, 1] - ends[:, 0]
+    part = ((third - ends[:, 0]) * step).sum(axis=1) / (step**2).sum(axis=1)
+    feet = ends[:, 0] + part[:, None] * step
+    # Where there is no number between them, that is all.
+    fresh = (feet[:, None] != ends).any(axis=2).all(axis=1)
+    if not fresh.any():
+        return None
+    edges, feet = edges[fresh], feet[fresh]
+    keys = _keys(edges)
+    order = np.argsort(keys, kind="stable")
+    keys, feet = keys[order], feet[order]
+    finer, start = [], 0
+    for ring in rings:
+        sites = found.site_of[start : start + len(ring)]
+        own = _keys(np.column_stack([sites, np.roll(sites, -1)]))
+        place = np.searchsorted(keys[:-1], own)
+        side = np.flatnonzero(keys[place] == own)
+        finer.append(np.insert(ring, side + 1, feet[place[side]], axis=0))
+        start += len(ring)
+    return finer
+
+
 def _travelled(rings: list[Ring]) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
     """Of every row, ring after ring: how far along its ring it stands, the length of that ring, and which it is."""
     sizes = [len(ring) for ring in rings]

@@ -30,7 +30,8 @@ def polygons(shape: Any, name: str) -> list[list[Ring]]:
 
     An object with `__geo_interface__` (of shapely, of GeoPandas) or a GeoJSON mapping, or a list of such; a ring; a
     shell and a list of its holes; or a list of rings, which become a polygon each: what is inside follows from the
-    number of rings around it; or the name of a GeoJSON file. Heights and features without a geometry are left out.
+    number of rings around it; or the name of a GeoJSON file. Heights, features without a geometry, and points and lines
+    beside the polygons of a GeometryCollection are left out.
 
     Examples
     --------
@@ -118,7 +119,9 @@ def _of_geometry(shape: Any, name: str) -> Iterator[list[Ring]]:
         if kind == "Feature":
             left.append(node.get("geometry"))
         elif isinstance(kind, str) and kind in _COLLECTIONS:
-            left.extend(reversed(_members(node, _COLLECTIONS[kind], name)))
+            members = _members(node, _COLLECTIONS[kind], name)
+            # Where a polygon is mended, lines and points without an area come along.
+            left.extend(part for part in reversed(members) if kind == "FeatureCollection" or not _is_flat(part))
         elif kind == "MultiPolygon":
             for row, rings in enumerate(_members(node, "coordinates", name)):
                 if not isinstance(rings, (Sequence, np.ndarray)) or isinstance(rings, str):
@@ -131,6 +134,11 @@ def _of_geometry(shape: Any, name: str) -> Iterator[list[Ring]]:
                 yield [*_rings([rings] if kind == "LinearRing" else rings, name)]
         else:
             raise ValueError(f"{name} is a geometry of type {found(kind)}; {WANTED} is wanted")
+
+
+def _is_flat(shape: Any) -> bool:
+    node = getattr(shape, "__geo_interface__", shape)
+    return isinstance(node, Mapping) and str(node.get("type")).removeprefix("Multi") in ("Point", "LineString")
 
 
 def _is_of_shapely(shape: Any) -> bool:

@@ -110,6 +110,20 @@ pub(crate) fn sides<'py>(
     Ok((PyArray1::from_vec(py, inside), PyArray1::from_vec(py, crossed), PyArray1::from_vec(py, residuals)))
 }
 
+/// Edges of a boundary that the kept axis passes, and the site opposite each.
+#[pyfunction]
+pub(crate) fn beyond<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    boundary: PyReadonlyArray1<'py, bool>,
+    kept: PyReadonlyArray1<'py, bool>,
+) -> PyResult<Table<'py>> {
+    let view = arrays.view()?;
+    let wanted = view.edges.len();
+    let (boundary, kept) = (column(&boundary, "boundary", wanted)?, column(&kept, "kept", wanted)?);
+    table(py, detached(py, |_| skeleton::beyond(view, boundary, kept))?)
+}
+
 /// Whether each edge joins a site to the next of its ring; `starts` are where the rings start, and the number of sites.
 #[pyfunction]
 pub(crate) fn ring_edges<'py>(

@@ -5,7 +5,7 @@ mod families;
 
 use crazing::diagram::diagram;
 use crazing::graph::{components, degrees};
-use crazing::skeleton::{Measure, Rings, axis_edges, branches, curve, longest, one_step, ring_edges};
+use crazing::skeleton::{Measure, Rings, axis_edges, beyond, branches, curve, longest, one_step, ring_edges};
 use crazing::{Diagram, Error, Point, Watch};
 use families::{any_points, family, lattice, shuffled};
 use proptest::prelude::*;
@@ -284,4 +284,20 @@ proptest! {
         let path = longest(&d.vertices, &left, Watch::default()).unwrap();
         prop_assert!(path.len() <= left.len());
     }
+}
+
+#[test]
+fn centres_beyond_a_boundary_are_named() {
+    // A low roof sees the side beneath it under an obtuse angle, a high one under an acute one.
+    for (height, found) in [(0.1, 1), (3.0, 0)] {
+        let d = of(&[[0.0, 0.0], [2.0, 0.0], [1.0, height], [1.0, 9.0]]);
+        let is_base = |edge: &[i32; 2]| edge.iter().all(|&end| end < 2);
+        let boundary: Vec<bool> = d.edges.iter().map(is_base).collect();
+        let out = beyond(d.view(), &boundary, &vec![true; d.edges.len()]).unwrap();
+        assert_eq!(out.len(), found);
+        assert!(out.iter().all(|&[k, roof]| boundary[k as usize] && roof == 2));
+        assert!(beyond(d.view(), &boundary, &vec![false; d.edges.len()]).unwrap().is_empty());
+    }
+    let d = of(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    assert!(beyond(d.view(), &[true], &[true; 3]).is_err());
 }

@@ -1,6 +1,7 @@
 //! Curves and skeletons of point samples, one method a file.
 
 mod beliefs;
+mod beyond;
 mod boxes;
 mod branches;
 mod bumps;
@@ -32,6 +33,7 @@ mod spacing;
 mod tips;
 mod tree;
 
+pub use beyond::beyond;
 pub use branches::{Measure, branches};
 pub use curve::{curve, curve_edges};
 pub use drawn::{OneStep, axis_edges, one_step_drawn};
