@@ -174,10 +174,12 @@ class Texture(Mapping[str, NDArray[Any]]):
     ``mask`` (H, W) uint8 coverage by the crack; ``height`` (H, W) float32 from 0 to 1; ``normal`` (H, W, 3) float32
     unit vectors, OpenGL (+Y up); ``ao`` float32, 1 where nothing hides the sky; ``roughness`` and ``wear`` float32
     from 0 to 1; ``distance`` float32, data units to the nearest crack edge, negative inside; ``direction`` (H, W, 2)
-    float32 unit vectors along the nearest crack; ``cell`` int32, the plate, whose pixels have their middles in one
-    and the same face of the drawing of middle lines, however wide the cracks are, and also on the crack; without a
-    period plates end at the crack's bounds, and beyond is that of the nearest place within; ``strand`` and
-    ``generation`` int32, -1 off the crack, which ends half a pixel beside its edge.
+    float32 unit vectors along the nearest edge, from its first vertex to its second; ``cell`` int32, the plate, whose
+    pixels have their middles in one and the same face of the drawing of middle lines, however wide the cracks are,
+    and also on the crack; without a period plates end at the crack's bounds, and beyond is that of the nearest place
+    within; ``strand`` and ``generation`` int32, -1 off the crack, which ends half a pixel beside its edge. Beyond the
+    end of several edges that are equally near, strand, generation and direction are those of the widest there, of
+    equally wide ones of the first.
 
     Attributes
     ----------

@@ -38,6 +38,7 @@ mod relief;
 mod scan;
 mod scene;
 mod squares;
+mod ties;
 mod tilt;
 mod walks;
 

@@ -48,3 +48,10 @@ pub(super) fn beside(along: f32, length: f32) -> u32 {
     let behind_end = if along >= length { BEHIND_END } else { 0 };
     if along <= 0.0 { BEHIND_START } else { behind_end }
 }
+
+/// Behind which end of its edge a code lies, if behind any: 0 the first, 1 the second.
+pub(super) fn behind(code: u32, piece: &Piece) -> Option<usize> {
+    // A disc is behind its own end, seen from any side.
+    let end = usize::from(if piece.length > 0.0 { code & BEHIND_START == 0 } else { piece.ends[1] });
+    (code & (BEHIND_START | BEHIND_END) != 0 && piece.ends[end]).then_some(end)
+}

@@ -6,6 +6,9 @@ use super::lanes::Number;
 /// A rectangle in parts of a pixel: xmin, ymin, xmax, ymax.
 pub(super) type Region = [i64; 4];
 
+/// How fast radii may grow: of discs that nearly hold each other the smaller ones stand out by less than this leaves.
+const STEEP: f64 = 1.0 - 1e-6;
+
 /// A tapered piece of an edge: all discs along its middle line, whose radius grows by `slope` a pixel.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Piece {
@@ -42,15 +45,19 @@ impl Piece {
         let step = both(|axis| (end[axis] - start[axis]) as f64 / UNIT as f64);
         let length = (step[0] * step[0] + step[1] * step[1]).sqrt();
         let slope = (radii[1] - radii[0]) / length;
-        if slope.is_nan() || slope.abs() >= 0.999 {
-            // One disc holds the other, or nearly so.
-            let (start, radius) = if radii[0] >= radii[1] { (start, radii[0]) } else { (end, radii[1]) };
+        let along = if length > 0.0 { both(|axis| (step[axis] / length) as f32) } else { [1.0, 0.0] };
+        if slope.is_nan() || slope.abs() >= STEEP {
+            // One disc holds the other, or as good as that.
+            let is_second = radii[1] > radii[0];
+            let (start, radius) = if is_second { (end, radii[1]) } else { (start, radii[0]) };
+            let before = if is_second { before + length as f32 } else { before };
+            let ends = [ends[0] && !is_second, ends[1] && is_second];
             let radius = radius as f32;
-            return Self { start, along: [1.0, 0.0], length: 0.0, radius, slope: 0.0, lean: 0.0, edge, before, ends };
+            return Self { start, along, length: 0.0, radius, slope: 0.0, lean: 0.0, edge, before, ends };
         }
         Self {
             start,
-            along: both(|axis| (step[axis] / length) as f32),
+            along,
             length: length as f32,
             radius: radii[0] as f32,
             slope: slope as f32,

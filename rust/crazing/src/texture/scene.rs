@@ -19,6 +19,7 @@ use super::piece::Piece;
 use super::plates::{self, Plate, Sides};
 use super::profile::Profile;
 use super::scan::Scan;
+use super::ties::Ties;
 use super::{Pattern, labels};
 use crate::crew;
 use crate::error::Result;
@@ -118,6 +119,8 @@ pub(super) struct Scene<'a> {
     pub(super) scan: Option<Scan>,
     /// Where such plates tilt.
     pub(super) fans: Option<Fans>,
+    /// Where labels or directions are wanted.
+    pub(super) ties: Option<Ties>,
     pub(super) grain: Vec<Noise>,
     pub(super) mottle: Vec<Noise>,
     pub(super) chip: Vec<Noise>,
@@ -152,7 +155,7 @@ impl<'a> Scene<'a> {
             if on { noise::octaves(ground, kind, f64::from(pitch) * grid.scale, count) } else { Vec::new() }
         };
         let tilted = wants.profile && material.tilt != 0.0;
-        let Sorted { near, parts, bands, scan, fans } =
+        let Sorted { near, parts, bands, scan, fans, ties } =
             asked.sort(wants, [wants.plates(material), tilted], threads, watch)?;
         Ok(Self {
             pattern,
@@ -170,6 +173,7 @@ impl<'a> Scene<'a> {
             plates: if wants.differ(material) { plates::plates(sides.reaches, key) } else { Vec::new() },
             scan,
             fans,
+            ties,
             grain: octaves(wants.grain(material), 0, material.grain_size, 2),
             mottle: octaves(wants.look, 1, material.mottle_size, 3),
             chip: octaves(material.chip > 0.0 && (wants.profile || wants.look), 2, material.chip_size, 2),
@@ -193,6 +197,7 @@ struct Sorted {
     bands: Vec<Bands>,
     scan: Option<Scan>,
     fans: Option<Fans>,
+    ties: Option<Ties>,
 }
 
 impl Scene<'_> {
@@ -224,16 +229,17 @@ impl Asked<'_> {
         let wanted = Wanted { pattern: *pattern, grid: *grid, window: *window, level: 0, bands: wants.mask };
         let mut cut = cut(wanted, threads, watch)?;
         let empty = || Ok(Set { pieces: Vec::new(), bins: Bins::none(), whole: true });
-        let (near, plates) = crew::both(
+        let (near, rest) = crew::both(
             threads,
             || if wants.nearest() { cut.set() } else { empty() },
             || {
                 let scan = several.then(|| Scan::new(pattern, grid, *window, sides.bounds)).transpose()?;
-                Ok((scan, (several && tilted).then(|| Fans::new(pattern, grid, sides)).transpose()?))
+                let fans = (several && tilted).then(|| Fans::new(pattern, grid, sides)).transpose()?;
+                Ok((scan, fans, (wants.labels || wants.direction).then(|| Ties::of(pattern))))
             },
         );
-        let (scan, fans) = plates?;
-        Ok(Sorted { near: near?, parts: cut.parts, bands: cut.bands, scan, fans })
+        let (scan, fans, ties) = rest?;
+        Ok(Sorted { near: near?, parts: cut.parts, bands: cut.bands, scan, fans, ties })
     }
 }
 

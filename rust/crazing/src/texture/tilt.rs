@@ -5,15 +5,9 @@ use super::fans::Fans;
 use super::finish::Row;
 use super::grid::{PART, UNIT, both};
 use super::line::Line;
-use super::near::{BEHIND_END, BEHIND_START, RIGHT};
+use super::near::{RIGHT, behind};
 use super::piece::Piece;
 use super::scene::Scene;
-
-/// Behind which end of its edge a code lies, if behind any: 0 the first, 1 the second.
-fn behind(code: u32, piece: &Piece) -> Option<usize> {
-    let end = usize::from(code & BEHIND_START == 0);
-    (code & (BEHIND_START | BEHIND_END) != 0 && piece.ends[end]).then_some(end)
-}
 
 impl Scene<'_> {
     /// Where a pixel lies from the middle of its plate, data units, y up.
