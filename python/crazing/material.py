@@ -42,7 +42,8 @@ class Material:
     relief : float
         What the whole range of heights is, in plates: how steep normals and occlusion are.
     depth : float
-        How deep the widest cracks are; narrower ones are shallower, by the root of their width.
+        How deep the widest cracks are, at most what curl, tilt, level and grain leave of the range; narrower ones are
+        shallower, by the root of their width.
     roundness : float
         0 for a V-shaped crack, 1 for a U with steep walls and a flat floor.
     rim, rim_width : float

@@ -43,9 +43,11 @@ impl Profile {
         let (rim_width, curl_width) = (pixels(material.rim_width), pixels(material.curl_width));
         // Plates curl up or down; the highest place of all is at height 1.
         let above = material.curl.max(0.0) + material.tilt + material.level + material.grain;
+        let top = (1.0 - above).clamp(0.0, 1.0);
         Self {
-            top: (1.0 - above).clamp(0.0, 1.0),
-            depth: material.depth,
+            top,
+            // Deeper ones would be cut off at height 0.
+            depth: material.depth.min(top),
             roundness: material.roundness,
             rim: if rim_width > 0.0 { material.rim } else { 0.0 },
             rim_rate: rate(material.rim_width),

@@ -149,7 +149,9 @@ impl Scene<'_> {
             let (by_place, grows) = (discs.by_place(), discs.grows());
             let chips = [Several::load(simd, &ground.chips[0], at), Several::load(simd, &ground.chips[1], at)];
             let by_plate = [Several::load(simd, &ground.slope[0], at), Several::load(simd, &ground.slope[1], at)];
+            // Where the range of heights ends, it is level.
             let pixels = distance.like(self.profile.relief);
+            let pixels = pixels.where_(zero.is_below(found.height), zero).where_(found.height.is_below(one), zero);
             let x = found.slope(by_place[0] - chips[0], grows[0], by_plate[0]) * pixels;
             let y = found.slope(by_place[1] - chips[1], grows[1], by_plate[1]) * pixels;
             let length = one / (x * x + y * y + one).root();
