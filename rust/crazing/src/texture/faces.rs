@@ -166,13 +166,7 @@ impl Net {
                 }
                 outside = if shared { Some(number[outer]) } else { outside };
             }
-            let middle = less(add(from, walks.walks[outer].middle), at);
-            let reach = &mut found.reaches[number[outer] as usize];
-            // What is not closed has no middle of its own: around a torus one that tilts would meet itself in a step.
-            let closes = walks.walks[outer].closes;
-            let far = if closes { (middle[0] * middle[0] + middle[1] * middle[1]).sqrt() } else { 0.0 };
-            *reach = reach.max(far);
-            (number[outer], middle)
+            (number[outer], less(add(from, walks.walks[outer].middle), at))
         };
         for k in 0..self.own {
             let step = self.steps[k];
@@ -185,6 +179,20 @@ impl Net {
         for &(k, lead) in &self.leads {
             found.middles[k] = found.middles[k].map(|middle| add(middle, lead));
         }
+        self.reach(walks, outermost, &number, &mut found);
         found
+    }
+
+    /// How far the corners of the numbered plates are from their middles, those at the bounds as well.
+    fn reach(&self, walks: &Walks, outermost: &[(usize, Point)], number: &[i32], found: &mut Plates) {
+        for &(walk, at) in &walks.of {
+            let (outer, from) = outermost[walk];
+            // What is not closed has no middle of its own: around a torus one that tilts would meet itself in a step.
+            if number[outer] >= 0 && walks.walks[outer].closes {
+                let [x, y] = less(add(from, walks.walks[outer].middle), at);
+                let reach = &mut found.reaches[number[outer] as usize];
+                *reach = reach.max((x * x + y * y).sqrt());
+            }
+        }
     }
 }
