@@ -99,6 +99,7 @@ before = set(sys.modules)
 import crazing
 new = {name.split(".")[0] for name in set(sys.modules) - before} - sys.stdlib_module_names
 assert new <= {"crazing", "numpy"}, new
+assert not {"email", "http", "ssl", "socket", "urllib.request", "importlib.metadata"} & (set(sys.modules) - before)
 """
     subprocess.run([sys.executable, "-c", program], check=True)
 

@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterator
 from itertools import pairwise
 from pathlib import PurePath
 from typing import TYPE_CHECKING
-from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,7 +51,7 @@ def svg(graph: PlanarGraph, *, title: str | None = None, stroke: str = "black", 
     return "\n".join(
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{" ".join(map(repr, box))}">',
-            *([] if title is None else [f"<title>{escape(title.translate(_NOT_XML))}</title>"]),
+            *([] if title is None else [f"<title>{_content(title)}</title>"]),
             f"<metadata>{_maker()}</metadata>",
             f'<path {style} stroke-linecap="round" stroke-linejoin="round"',
             f'd="{_path(graph)}"/>',
@@ -100,8 +99,17 @@ def _maker() -> str:
     return f"crazing {_core.__version__}"
 
 
+# These bring urllib and http with them, so that they are imported where they are used.
 def _attribute(text: str) -> str:
+    from xml.sax.saxutils import quoteattr
+
     return quoteattr(text.translate(_NOT_XML))
+
+
+def _content(text: str) -> str:
+    from xml.sax.saxutils import escape
+
+    return escape(text.translate(_NOT_XML))
 
 
 def _lines(graph: PlanarGraph) -> list[NDArray[np.float64]]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import platform
 import sys
-from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 
@@ -31,6 +30,9 @@ _OPTIONAL = (
 
 def installed(package: str) -> str | None:
     """The version of a package that is installed, found without importing it; None if it is not."""
+    # It brings email and socket with it.
+    from importlib.metadata import PackageNotFoundError, version
+
     try:
         return version(package)
     except PackageNotFoundError:

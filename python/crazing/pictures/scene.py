@@ -8,7 +8,6 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
-from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
@@ -63,7 +62,7 @@ def materialx(scene: Scene) -> str:
     return "\n".join(
         [
             '<?xml version="1.0"?>',
-            f'<materialx version="1.38" colorspace="lin_rec709" doc={quoteattr(json.dumps(scene.record))}>',
+            f'<materialx version="1.38" colorspace="lin_rec709" doc={_quoted(json.dumps(scene.record))}>',
             f'  <nodegraph name="NG_{name}">',
             *nodes,
             "  </nodegraph>",
@@ -77,6 +76,13 @@ def materialx(scene: Scene) -> str:
     )
 
 
+def _quoted(text: str) -> str:
+    # It brings urllib and http with it.
+    from xml.sax.saxutils import quoteattr
+
+    return quoteattr(text)
+
+
 def _node(kind: str, name: str, result: str, *inputs: str) -> str:
     return "\n".join(
         [f'    <{kind} name="{name}" type="{result}">', *(f"      {line}" for line in inputs), f"    </{kind}>"]
@@ -86,9 +92,7 @@ def _node(kind: str, name: str, result: str, *inputs: str) -> str:
 def _image(picture: str, kind: str, space: str, file: str, mode: str) -> str:
     where = f' colorspace="{space}"' if space else ""
     modes = (f'<input name="{axis}addressmode" type="string" value="{mode}" />' for axis in "uv")
-    return _node(
-        "image", picture, kind, f'<input name="file" type="filename" value={quoteattr(file)}{where} />', *modes
-    )
+    return _node("image", picture, kind, f'<input name="file" type="filename" value={_quoted(file)}{where} />', *modes)
 
 
 def _wire(port: str, kind: str, graph: str, picture: str) -> str:
