@@ -72,6 +72,39 @@ def test_bad_input_is_one_line_and_two(folder: Path, arguments: tuple[str, ...],
     assert not (folder / "mine.toml").exists()
 
 
+ODD = {
+    "inverted": (lambda mask: ~mask, "inverted.png is taken for crack; with --dark, what is dark would be."),
+    "black": (lambda mask: np.zeros_like(mask), "black.png has no pixel above level 0.5: no crack. See --level"),
+    "white": (lambda mask: np.ones_like(mask), "100% of white.png is taken for crack."),
+    "pixel": (lambda mask: np.eye(1, dtype=bool), "100% of pixel.png is taken for crack."),
+    "dot": (lambda mask: np.arange(mask.size).reshape(mask.shape) == 45_000, "no line with an end or a junction"),
+    "strip": (lambda mask: mask[:40], "nodes within 20 pixels of its sides are not measured"),
+    "faint": (lambda mask: (mask * 100).astype(np.uint8), "faint.png has no pixel above level 0.5"),
+}
+
+
+@pytest.mark.parametrize("kind", ODD)
+def test_fit_says_once_what_is_wrong_with_a_mask(folder: Path, kind: str) -> None:
+    made, words = ODD[kind]
+    cz.save_png(folder / f"{kind}.png", made(stamp(cz.crack(n=60, opening=0.6, rng=1), 300)))
+    shown = run(folder, "fit", f"{kind}.png", "--budget", "0", "-o", "mine.toml")
+    assert (shown.returncode, shown.stdout) == (2, "")
+    assert shown.stderr.startswith("Error: ") and shown.stderr.count("\n") == 1 and words in shown.stderr
+
+
+@pytest.mark.parametrize("kind", ["grey", "colour", "deep", "alpha"])
+def test_fit_takes_any_kind_of_picture_of_a_mask(folder: Path, kind: str) -> None:
+    mask = stamp(cz.crack(n=60, opening=0.6, rng=1), 300)
+    bright = (mask * 255).astype(np.uint8)
+    made = {"grey": bright, "colour": np.dstack([bright] * 3), "deep": (mask * 65535).astype(np.uint16)}
+    made["alpha"] = np.dstack([bright] * 3 + [np.full_like(bright, 255)])
+    cz.save_png(folder / f"{kind}.png", made[kind])
+    for name in (kind, "mask"):
+        shown = run(folder, "fit", f"{name}.png", "--budget", "0", "--seed", "1", "-o", f"{name}.toml")
+        assert (shown.returncode, shown.stderr) == (0, "")
+    assert cz.Recipe.load(folder / f"{kind}.toml") == cz.Recipe.load(folder / "mask.toml")
+
+
 def test_masks_of_zeros_and_ones_are_masks(folder: Path) -> None:
     mask = stamp(cz.crack(n=60, opening=0.6, rng=1), 300)
     cz.save_png(folder / "ones.png", mask.astype(np.uint8))

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from crazing import rng as _rng
 from crazing.arguments import count, number
 from crazing.errors import CrazingError
-from crazing.measure import as_mask, measure
+from crazing.measure import BORDER, as_mask, measure
 from crazing.recipe import Recipe
 from crazing.search import Progress, minimize
 from crazing.statistics import CAP, LEAST_DEVIATION, SCORED, CrackStatistics
@@ -120,7 +120,8 @@ def fit(
     Raises
     ------
     TypeError, ValueError
-        If the mask is no picture, is crack in more than half of its pixels, or a number is out of range.
+        If the mask is no picture, is crack in more than half of its pixels or too small to be measured, or a number is
+        out of range.
     CrazingError
         If the mask holds no junction and no dead end to measure.
 
@@ -148,6 +149,11 @@ def fit(
         raise ValueError(
             f"mask is crack in {share:.0%} of its pixels; cracks fill at most half of a picture, and with "
             f"dark={not dark} what is {'bright' if dark else 'dark'} would be"
+        )
+    if min(cracked.shape) <= 2 * BORDER:
+        raise ValueError(
+            f"mask has shape {cracked.shape}; nodes within {BORDER:g} pixels of its sides are not measured, "
+            f"so that more than {2 * BORDER:g} are wanted both ways"
         )
     parts = crops(cracked)
     found = [measure(part) for part in parts]

@@ -19,7 +19,9 @@ from crazing.statistics import CrackStatistics
 # What pixels are measured with, as in the published figures: spurs and nodes in pixels, then border, reach, step of
 # lengths, step of orientation, smallest lag, smallest box, smallest cell.
 _SPUR, _MERGE = 14.0, 6.0
-_PIXELS = (20.0, 15.0, 4.0, 8.0, 3.0, 4.0, 64.0)
+#: Nodes of a mask within so many pixels of its sides do not count.
+BORDER = 20.0
+_PIXELS = (BORDER, 15.0, 4.0, 8.0, 3.0, 4.0, 64.0)
 _EXACT = (0.0,) * 7
 
 _NO_SHIFTS = np.zeros((0, 2), np.int8)

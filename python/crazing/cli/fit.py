@@ -12,7 +12,7 @@ from pathlib import Path
 import click
 
 import crazing
-from crazing.cli.measure import mask_options, remarks
+from crazing.cli.measure import doubt, mask_options
 from crazing.cli.progress import is_watched
 from crazing.images import read_image
 from crazing.measure import as_mask
@@ -55,7 +55,8 @@ def command(
     """
     seed = secrets.randbits(32) if seed is None else seed
     picture = as_mask(read_image(mask), level=level, dark=dark)
-    remarks(picture, mask, level=level, dark=dark)
+    if words := doubt(picture, mask, level=level, dark=dark):
+        raise click.ClickException(words)
     reached = math.nan
     with _bar(budget) as show:
 
@@ -69,9 +70,9 @@ def command(
         output
     )
     off = "" if math.isnan(reached) else f", off by {reached:.2f}"
-    words = f"{output}: {recipe.n} plates, opening {recipe.opening:.2f}{off}, seed {seed}"
+    line = f"{output}: {recipe.n} plates, opening {recipe.opening:.2f}{off}, seed {seed}"
     report = {"output": output, "n": recipe.n, "opening": recipe.opening, "off": None if not off else reached}
-    click.echo(json.dumps({**report, "seed": seed}) if as_json else words)
+    click.echo(json.dumps({**report, "seed": seed}) if as_json else line)
 
 
 @contextlib.contextmanager

@@ -30,15 +30,18 @@ def mask_options(function: click.decorators.FC) -> click.decorators.FC:
     )(function)
 
 
-def remarks(mask: NDArray[np.bool_], name: str, *, level: float, dark: bool) -> None:
-    """Says on standard error what makes it unlikely that the right pixels are taken for crack."""
+def doubt(mask: NDArray[np.bool_], name: str, *, level: float, dark: bool) -> str | None:
+    """What makes it unlikely that the right pixels are taken for crack, if anything does."""
     share = float(mask.mean())
     if share == 0.0:
         side = "at or below" if dark else "above"
-        click.echo(f"Note: {name} has no pixel {side} level {level:g}: no crack. See --level and --dark.", err=True)
-    elif share > 0.5:
+        return f"{name} has no pixel {side} level {level:g}: no crack. See --level and --dark."
+    if share == 1.0:
+        return f"100% of {name} is taken for crack. See --level and --dark."
+    if share > 0.5:
         other = "without --dark, what is bright" if dark else "with --dark, what is dark"
-        click.echo(f"Note: {share:.0%} of {name} is taken for crack; {other} would be.", err=True)
+        return f"{share:.0%} of {name} is taken for crack; {other} would be."
+    return None
 
 
 @click.command("measure")
@@ -83,7 +86,8 @@ def command(
     with steps(2) as begin:
         begin("reading")
         picture = as_mask(read_image(mask), level=level, dark=dark)
-        remarks(picture, mask, level=level, dark=dark)
+        if words := doubt(picture, mask, level=level, dark=dark):
+            click.echo(f"Note: {words}", err=True)
         begin("measuring")
         found = crazing.measure(picture, spur=spur, merge=merge, border=border, reach=reach)
     if found.components >= _MANY and found.junctions < _JOINED * found.components:
