@@ -11,6 +11,7 @@ from typing import Any
 import click
 
 import crazing
+from crazing.cli.output import Seed
 from crazing.cli.progress import rows
 from crazing.cli.texture import pixels
 from crazing.dataset import LABELS
@@ -61,7 +62,7 @@ def _folder(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
 )
 @click.option(
     "--seed",
-    type=click.IntRange(min=0),
+    type=Seed(),
     metavar="N",
     help="Seed; by default that of the data set in FOLDER, or a fresh one.",
 )

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from crazing.cli.output import ending_in
+from crazing.cli.output import Seed, ending_in
 from crazing.cli.source import content_of
 from crazing.edit import exchange, knobs
 from crazing.edit.session import Session
@@ -20,9 +20,7 @@ from crazing.files import atomic_write
 @click.argument("file", type=click.Path(exists=True, dir_okay=False), required=False)
 @click.option("--port", type=click.IntRange(0, 65535), default=0, metavar="N", help="Port; by default a free one.")
 @click.option("--no-browser", is_flag=True, help="Only print the address, which works once.")
-@click.option(
-    "--seed", type=click.IntRange(0, knobs.LARGEST_SEED), metavar="N", help="Seed that the panels start with."
-)
+@click.option("--seed", type=Seed(knobs.SEED_BITS), metavar="N", help="Seed that the panels start with.")
 @click.option(
     "-o",
     "--output",
@@ -40,7 +38,7 @@ def command(*, file: str | None, port: int, no_browser: bool, seed: int | None, 
         require(package, "edit")
     from crazing.edit.server import Server
 
-    session = Session(None if file is None else exchange.load(content_of(file)), seed=seed)
+    session = Session(None if file is None else _points(file), seed=seed)
     server = Server(session, port=port)
     click.echo(f"The editor is at {server.address}")
     click.echo("The address works once. Ctrl-C ends.")
@@ -53,6 +51,15 @@ def command(*, file: str | None, port: int, no_browser: bool, seed: int | None, 
             with atomic_write(output) as target:
                 target.write(exchange.written(session.points, Path(output).suffix[1:].lower()))
             click.echo(f"{output}: {len(session.points)} points")
+
+
+def _points(file: str) -> exchange.Points:
+    content = content_of(file)
+    kind = "picture" if exchange.is_picture(content) else "drawing" if exchange.is_foreign_svg(content) else None
+    if kind is not None:
+        wanted = "CSV, NPY, GeoJSON or an SVG that the editor saved is wanted; crazing skeleton takes samples of a"
+        raise click.ClickException(f"{file} is a {kind}, which holds no points: {wanted} {kind}.")
+    return exchange.load(content)
 
 
 def _open(address: str) -> Any:

@@ -13,6 +13,7 @@ import click
 
 import crazing
 from crazing.cli.measure import doubt, mask_options
+from crazing.cli.output import Seed
 from crazing.cli.progress import is_watched
 from crazing.images import read_image
 from crazing.measure import as_mask
@@ -32,7 +33,7 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
 @mask_options
 @click.option("--budget", type=click.IntRange(0), default=320, show_default=True, help="Recipes to try.")
 @click.option("--seconds", type=click.FloatRange(0), help="Most time; the result then depends on the machine.")
-@click.option("--seed", type=click.IntRange(min=0), metavar="N", help="Seed; by default a fresh one, which is printed.")
+@click.option("--seed", type=Seed(), metavar="N", help="Seed; by default a fresh one, which is printed.")
 @click.option("--json", "as_json", is_flag=True, help="Print the result as one line of JSON.")
 @click.option("-o", "--output", required=True, metavar="FILE", callback=_checked, help="Where to write it, a .toml.")
 def command(

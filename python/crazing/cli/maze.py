@@ -12,7 +12,7 @@ import numpy as np
 
 import crazing
 from crazing import arguments
-from crazing.cli.output import ending_in
+from crazing.cli.output import Seed, ending_in
 from crazing.cli.progress import steps
 from crazing.cli.source import region_of
 
@@ -47,7 +47,7 @@ ENDINGS = (".svg", ".dxf", ".pdf", ".png")
 )
 @click.option("--solution", is_flag=True, help="Draw the solution too, as a layer of its own.")
 @click.option("--distances", is_flag=True, help="Colour the cells by their distance from the start; not in .dxf.")
-@click.option("--seed", type=click.IntRange(min=0), help="Seed; by default a fresh one, which is printed.")
+@click.option("--seed", type=Seed(), help="Seed; by default a fresh one, which is printed.")
 @click.option("--page", type=float, nargs=2, default=(210.0, 297.0), show_default=True, help="Width, height in mm.")
 @click.option("--margin", type=float, default=10.0, show_default=True, help="Kept free on all sides, mm.")
 @click.option("--pen", type=float, default=0.5, show_default=True, help="Width of the lines, mm.")

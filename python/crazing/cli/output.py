@@ -53,11 +53,24 @@ def ending_in(*endings: str) -> Callable[[click.Context, click.Parameter, str | 
     return checked
 
 
+class Seed(click.types.IntParamType):
+    """What `--seed` takes: in every command as much as all kinds of pictures can keep."""
+
+    def __init__(self, bits: int = 63) -> None:
+        self.bits = bits
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        """The seed, or a word about what is wanted."""
+        seed = int(super().convert(value, param, ctx))
+        if not 0 <= seed < 1 << self.bits:
+            self.fail(f"{seed} is no seed; a whole number from 0 to 2**{self.bits} - 1 is wanted.", param, ctx)
+        return seed
+
+
 def seed_without_use(function: Callable[..., Any]) -> Callable[..., Any]:
     """Adds `--seed` to a command that draws nothing at random, so that scripts may give it to every command."""
     words = "Taken by every command; nothing is random in this one."
-    kind = click.IntRange(min=0)
-    return click.option("--seed", type=kind, expose_value=False, metavar="N", help=words)(function)
+    return click.option("--seed", type=Seed(), expose_value=False, metavar="N", help=words)(function)
 
 
 def output_option(function: Callable[..., Any], *, required: bool = True) -> Callable[..., Any]:

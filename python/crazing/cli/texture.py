@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 import crazing
 from crazing import _core, arguments
 from crazing.cli.maps import Order
-from crazing.cli.output import STANDARD, checked, opened, say
+from crazing.cli.output import STANDARD, Seed, checked, opened, say
 from crazing.cli.progress import steps
 from crazing.texture import MAX_SIDE
 
@@ -37,9 +37,7 @@ def pixels(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[
 
 
 @click.command("texture")
-@click.option(
-    "--seed", type=click.IntRange(min=0), metavar="N", help="Seed, 0 or more; by default a fresh one, kept in the file."
-)
+@click.option("--seed", type=Seed(), metavar="N", help="Seed, 0 or more; by default a fresh one, kept in the file.")
 @click.option(
     "--size",
     callback=pixels,

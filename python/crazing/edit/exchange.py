@@ -98,7 +98,7 @@ def load(content: bytes) -> Points:
         return checked(_from_npy(content))
     text = table.decoded(content)
     if text is None:
-        raise CrazingError("this is no CSV, NPY, GeoJSON or SVG file with points, nor a picture")
+        raise CrazingError("this is no CSV, NPY, GeoJSON or SVG file with points")
     if head.startswith(b"<"):
         return checked(_from_svg(text))
     return checked(_from_geojson(text) if head.startswith((b"{", b"[")) else table.points(text, MOST_POINTS))

@@ -19,7 +19,7 @@ Values: TypeAlias = dict[str, dict[str, Any]]
 AXES = ("edge-filter", "one-step", "poles", "initial")
 
 #: Seeds are whole numbers that a page can hold exactly.
-LARGEST_SEED = 2**53 - 1
+SEED_BITS = 53
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ class Knob:
         if self.kind == "choice":
             return arguments.choice(value, name, self.choices)
         if self.kind == "seed":
-            return arguments.count(value, name, high=LARGEST_SEED)
+            return arguments.count(value, name, high=(1 << SEED_BITS) - 1)
         if self.kind == "count":
             return arguments.count(value, name, low=int(self.low), high=int(self.high))
         if self.kind == "optional" and value is None:
