@@ -143,3 +143,13 @@ def test_other_faults_are_named(tmp_path: Path) -> None:
         cz.crack("glaze")
     with pytest.raises(ValueError, match=r"'thicknes' \(did you mean 'thickness'"):
         cz.crack(thicknes=1)
+
+
+@pytest.mark.parametrize("idle", [{"opening": 0.5}, {"opening": 1.0}, {"sampler": "laplace"}])
+@pytest.mark.parametrize("kind", [{"preset": "glaze"}, {"preset": "glass-impact"}, {"generator": "splitting"}])
+def test_what_only_mazes_have_is_refused_elsewhere(kind: dict[str, str], idle: dict[str, object]) -> None:
+    with pytest.raises(ValueError, match=f"{next(iter(idle))} is given; it does nothing for the generator"):
+        cz.crack(n=30, rng=1, **kind, **idle)
+    # A recipe keeps what its generator does not look at.
+    recipe = (cz.preset(kind["preset"]) if "preset" in kind else cz.Recipe(**kind)).replace(n=30)
+    assert recipe.replace(**idle).crack(rng=1) == recipe.crack(rng=1)

@@ -103,7 +103,8 @@ class Recipe:
     tree : {"depth-first", "kruskal", "prim", "wilson"}
         The tree of the maze whose walls the cracks are, see :func:`crazing.maze`.
     opening : float
-        The share of the maze's passages that are really opened: 1 leaves no loop, 0 closes every plate.
+        The share of the maze's passages that are really opened: 1 leaves no loop, 0 closes every plate. The other
+        generators look at neither `tree`, `opening`, `turn` and `hairpin` nor `sampler` and `relax`.
     unbend : int
         Rounds of straightening that come first, and pull only where nothing meets a crack: without them what is left
         of the walls about plates winds like a worm. 4 to 10 leave about as many bends as paint has.
@@ -515,8 +516,8 @@ def crack(
         Number of points when `points` is not given; 300 by default, or as in the preset.
     opening : float, optional
         The share of the maze's passages that are really opened: 1, the default, is the thesis (cracks are trees), 0
-        leaves every plate closed all round. Paint and glaze measure .6 to .85. Of no effect where cracks are not the
-        walls of a maze.
+        leaves every plate closed all round. Paint and glaze measure .6 to .85. Refused, as `sampler` is, where cracks
+        are not the walls of a maze.
     width : float, optional
         Width of the longest crack, data units. By default an eighth of the median distance between neighbouring
         points, or as in the preset.
@@ -544,8 +545,8 @@ def crack(
     Raises
     ------
     TypeError, ValueError
-        If `points` are given beside `n` or `density`; if a number is out of range, or no preset or field has such a
-        name.
+        If `points` are given beside `n` or `density`, or `opening` where no maze is made; if a number is out of range,
+        or no preset or field has such a name.
     CrazingError
         If a coordinate is NaN or infinite.
 
@@ -563,10 +564,14 @@ def crack(
     >>> cz.crack(preset="glaze", period=(1, 1), rng=7).period
     (1.0, 1.0)
     """
-    changes = {"n": n, "opening": opening, **steps}
-    recipe = (Recipe() if preset is None else _named(preset)).replace(
-        **{name: value for name, value in changes.items() if value is not None}
-    )
+    given = {"n": n, "opening": opening, **steps}
+    changes = {name: value for name, value in given.items() if value is not None}
+    recipe = (Recipe() if preset is None else _named(preset)).replace(**changes)
+    if recipe.generator != "maze" and (idle := [name for name in ("opening", "sampler") if name in changes]):
+        raise ValueError(
+            f"{idle[0]} is given; it does nothing for the generator {recipe.generator!r}, whose cracks are not the "
+            "walls of a maze"
+        )
     if isinstance(points, str):
         raise TypeError(f"points is {points!r}; coordinates are wanted; a kind of crack is named by preset={points!r}")
     if points is not None and n is not None:
