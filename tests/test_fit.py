@@ -87,6 +87,19 @@ def test_a_fit_tells_short_branches_from_long_cracks() -> None:
     assert found.opening == pytest.approx(true.opening, abs=0.1)
 
 
+def test_a_fit_tries_steps_that_its_guess_does_without(monkeypatch: pytest.MonkeyPatch) -> None:
+    mask = stamp(cz.crack(n=60, opening=0.5, rng=2), 300)
+    tried: list[cz.Recipe] = []
+    made = cz.Recipe.crack
+    monkeypatch.setattr(cz.Recipe, "crack", lambda self, **how: (tried.append(self), made(self, **how))[1])
+    cz.fit(mask, budget=16, rng=1)
+    for name in ("tree", "unbend", "rounds", "warp", "rounding", "stubs", "patchiness"):
+        values = {getattr(recipe, name) for recipe in tried}
+        assert len(values) > 1, name
+    # Pulling at what nothing meets is tried left out, and done several times.
+    assert {0, 1, 3} <= {recipe.unbend for recipe in tried}
+
+
 def test_a_seed_and_a_budget_are_a_recipe() -> None:
     mask = stamp(cz.crack(n=60, opening=0.5, rng=2), 300)
     assert cz.fit(mask, budget=3, rng=1) == cz.fit(mask, budget=3, rng=1)

@@ -24,7 +24,7 @@ CROP, MOST_CROPS = 800, 3
 PATTERNS = 3
 #: What a fit begins with of steps that a default recipe does without: a little of each, as what there is none of
 #: shows nothing of how it would be.
-_LIKELY = {"stubs": 0.15, "patchiness": 0.4, "roughness": 0.03, "hairpin": 125.0}
+_LIKELY = {"stubs": 0.15, "patchiness": 0.4, "roughness": 0.03, "hairpin": 125.0, "unbend": 2}
 #: What a fit weighs besides what is scored: how dense and how wide cracks are.
 DENSITY = ("segment_length", "intensity", "width")
 
@@ -55,6 +55,7 @@ _AXES = (
     _Axis("relax", 0, 3, 0.3),
     _Axis("patchiness", 0, 1.6, 0.15),
     _Axis("opening", 0, 1, 0.12),
+    _Axis("unbend", 0, 8, 0.2),
     _Axis("rounds", 1, 6, 0.2),
     _Axis("pull", 0, 1, 0.3),
     _Axis("slide", 0, 0.6, 0.2),
