@@ -67,6 +67,8 @@ def write_texture(
         ``"png"``: 8 bits for colours, coverage and what looks smooth in them, 16 for the rest; ``"png8"``,
         ``"png16"``, ``"tiff16"``, ``"tiff32"`` (floats), ``"exr16"``, ``"exr32"``, ``"zarr"``. By default the ending
         of a file decides (floats for TIFF and EXR), and folders get PNG.
+        Labels (cell, strand, generation) are one more in PNG and EXR, so that 0 is none; in TIFF and Zarr none is -1.
+        Whole numbers hold 0 to 1, -1 to 1 of vectors, and distances in their full range; colours are linear in EXR.
     layout : {"plain", "ambientcg", "polyhaven", "unreal"}, optional
         How files in a folder are called.
     name : str, optional
