@@ -215,7 +215,7 @@ def test_skeleton_measures_as_that_of_scikit_image() -> None:
         t_share.append(ours.t_share - theirs.t_share)
     # A hundred nodes, of which either skeleton puts some a pixel aside: the share of one picture moves by .06, and its
     # score lies between .06 and .7.
-    assert np.mean(scores) < 0.4
+    assert np.mean(scores) < 0.4 and max(scores) < 0.8
     assert np.mean(t_share) == pytest.approx(0, abs=0.04)
 
 
