@@ -160,7 +160,16 @@ pub(crate) fn compact_counted<T: Send + Copy + Default>(
 
 /// The same where each item is long work.
 pub(crate) fn map_slow<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
-    choose(len.saturating_mul(LONG), &f, |f| (0..len).map(f).collect(), |f| (0..len).into_par_iter().map(f).collect())
+    map_slow_with(len, || (), |(), i| f(i))
+}
+
+/// The same with something that is made now and then, and used for many items.
+pub(crate) fn map_slow_with<S, T: Send>(
+    len: usize,
+    make: impl Fn() -> S + Sync + Send,
+    f: impl Fn(&mut S, usize) -> T + Sync + Send,
+) -> Vec<T> {
+    with(len, len.saturating_mul(LONG), make, f)
 }
 
 /// The same where every single item is worth a thread.
@@ -174,7 +183,16 @@ pub(crate) fn several_with<S, T: Send>(
     make: impl Fn() -> S + Sync + Send,
     f: impl Fn(&mut S, usize) -> T + Sync + Send,
 ) -> Vec<T> {
-    let worth = if len > 1 { WORTHWHILE } else { 0 };
+    with(len, if len > 1 { WORTHWHILE } else { 0 }, make, f)
+}
+
+/// The same where the items are worth `worth` in all.
+fn with<S, T: Send>(
+    len: usize,
+    worth: usize,
+    make: impl Fn() -> S + Sync + Send,
+    f: impl Fn(&mut S, usize) -> T + Sync + Send,
+) -> Vec<T> {
     choose(
         worth,
         (make, f),

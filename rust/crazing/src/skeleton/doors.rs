@@ -1,6 +1,7 @@
 //! The sides through which a walk has entered cells, each once.
 
-use super::links::NONE;
+/// Marks in one number.
+const WORD: usize = u64::BITS as usize;
 
 /// What a side turns out to be when it is noted.
 pub(super) enum Noted {
@@ -57,56 +58,65 @@ impl<const MOST: usize> Doors for Few<MOST> {
     }
 }
 
-/// A table of them, twice as large as they are many.
+/// So many that they are marked, a bit each side of the diagram: those of neighbouring cells lie near each other.
+#[derive(Default)]
 pub(super) struct Many {
     sides: Vec<u32>,
+    marks: Vec<u64>,
     most: usize,
-    slots: Vec<u32>,
 }
 
 impl Many {
-    pub(super) fn new(most: usize) -> Self {
-        Self { sides: Vec::new(), most, slots: vec![NONE; 256] }
+    /// For walks in a diagram of so many sides.
+    pub(super) fn of(sides: usize) -> Self {
+        Self { sides: Vec::new(), marks: vec![0; sides.div_ceil(WORD)], most: 0 }
     }
 
-    /// Where a side stands, or would.
-    fn slot(&self, side: u32) -> usize {
-        let last = self.slots.len() - 1;
-        // Fibonacci hashing: the odd number next to 2^32 over the golden ratio.
-        let mut slot = (side.wrapping_mul(0x9E37_79B9) >> 8) as usize & last;
-        while self.slots[slot] != NONE && self.slots[slot] != side {
-            slot = (slot + 1) & last;
-        }
-        slot
-    }
-
-    fn grow(&mut self) {
-        self.slots = vec![NONE; 2 * self.slots.len()];
-        for i in 0..self.sides.len() {
-            let slot = self.slot(self.sides[i]);
-            self.slots[slot] = self.sides[i];
-        }
+    /// None of them, ready for `most`.
+    pub(super) fn emptied(&mut self, most: usize) -> &mut Self {
+        // Whole words: what else is marked in them goes, too.
+        self.sides.drain(..).for_each(|side| self.marks[side as usize / WORD] = 0);
+        self.most = most;
+        self
     }
 }
 
-impl Doors for Many {
+impl Doors for &mut Many {
     fn at(&self, place: usize) -> Option<u32> {
         self.sides.get(place).copied()
     }
 
+    #[inline]
     fn note(&mut self, _: i32, side: u32) -> Noted {
-        let slot = self.slot(side);
-        if self.slots[slot] == side {
+        let (word, bit) = (&mut self.marks[side as usize / WORD], 1 << (side as usize % WORD));
+        if *word & bit != 0 {
             return Noted::Known;
         }
         if self.sides.len() == self.most {
             return Noted::TooMany;
         }
-        self.slots[slot] = side;
+        *word |= bit;
         self.sides.push(side);
-        if 2 * self.sides.len() > self.slots.len() {
-            self.grow();
-        }
         Noted::Cell
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Doors, Many, Noted};
+
+    #[test]
+    fn a_walk_knows_nothing_of_the_one_before() {
+        let mut many = Many::of(200);
+        for sides in [[3, 64, 199], [199, 3, 65]] {
+            let mut doors = many.emptied(2);
+            assert!(doors.at(0).is_none());
+            assert!(matches!(doors.note(0, sides[0]), Noted::Cell));
+            assert!(matches!(doors.note(7, sides[0]), Noted::Known));
+            assert!(matches!(doors.note(0, sides[1]), Noted::Cell));
+            assert!(matches!(doors.note(0, sides[2]), Noted::TooMany));
+            assert!(matches!(doors.note(0, sides[1]), Noted::Known));
+            assert_eq!([0, 1, 2].map(|place| doors.at(place)), [Some(sides[0]), Some(sides[1]), None]);
+        }
     }
 }

@@ -22,6 +22,17 @@ pub(super) enum Found {
     TooMany,
 }
 
+impl Found {
+    /// The point inside, if any; None when it gave up.
+    pub(super) fn known(self) -> Option<Option<Point>> {
+        match self {
+            Self::Nothing => Some(None),
+            Self::Inside(v) => Some(Some(v)),
+            Self::TooMany => None,
+        }
+    }
+}
+
 /// Sites and Voronoi vertices near 1, and the links between triangles.
 pub(super) struct Cells<'a> {
     pub(super) view: DiagramView<'a>,
@@ -57,8 +68,19 @@ impl<'a> Cells<'a> {
     }
 
     /// The same for walks among `most` cells, where these are many.
-    pub(super) fn find_far(&self, k: usize, disc: Disc, inside: impl Fn(Point) -> bool, most: usize) -> Found {
-        self.walk(k, disc, inside, Many::new(most), most)
+    pub(super) fn find_far(
+        &self,
+        k: usize,
+        disc: Disc,
+        inside: impl Fn(Point) -> bool,
+        (doors, most): (&mut Many, usize),
+    ) -> Found {
+        self.walk(k, disc, inside, doors.emptied(most), most)
+    }
+
+    /// What long walks note their doors in.
+    pub(super) fn doors(&self) -> Many {
+        Many::of(self.links.len())
     }
 
     #[inline]

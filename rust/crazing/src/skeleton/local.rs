@@ -14,6 +14,7 @@
 //! The one-step test, which is exact for the samples themselves, has the first word: no other edge is asked about.
 
 use super::disc::Disc;
+use super::doors::Many;
 use super::flood::{Cells, Found};
 use super::links::links;
 use super::one_step::{one_step, opposite};
@@ -129,6 +130,9 @@ pub fn edge_filter_among(view: DiagramView<'_>, known: Known<'_>) -> Result<Loca
     Ok(Local { crust, axis })
 }
 
+/// Whether a circle of an edge's pencil is empty, found with room for doors.
+type Answer<'a> = dyn Fn(&Edge, &mut Many) -> Option<bool> + Sync + 'a;
+
 /// An edge that is in the one-step crust, or a dual edge that is not.
 struct Edge {
     k: usize,
@@ -209,20 +213,14 @@ impl Edge {
         pencil
     }
 
-    /// Whether some of the circles that are left is empty, by walks among at most so many cells; None when they are
-    /// more.
-    fn walk(&self, cells: &Cells<'_>, pencil: Pencil, most: usize) -> Option<bool> {
-        leaves_some(pencil, |disc, inside| {
-            let found = match most {
-                NEAR => cells.find::<NEAR>(self.k, disc, inside),
-                _ => cells.find_far(self.k, disc, inside, most),
-            };
-            match found {
-                Found::Nothing => Some(None),
-                Found::Inside(v) => Some(Some(v)),
-                Found::TooMany => None,
-            }
-        })
+    /// Whether some of the circles that are left is empty, by walks among a few cells; None when they are more.
+    fn walk(&self, cells: &Cells<'_>, pencil: Pencil) -> Option<bool> {
+        leaves_some(pencil, |disc, inside| cells.find::<NEAR>(self.k, disc, inside).known())
+    }
+
+    /// The same among at most so many cells.
+    fn walk_far(&self, cells: &Cells<'_>, doors: &mut Many, most: usize) -> Option<bool> {
+        leaves_some(self.pencil(cells), |disc, inside| cells.find_far(self.k, disc, inside, (doors, most)).known())
     }
 
     /// The first answer: None when the neighbourhood is too large for it.
@@ -232,7 +230,7 @@ impl Edge {
             Found::Inside(v) => {
                 let mut pencil = self.pencil(cells);
                 pencil.cut(v);
-                self.walk(cells, pencil, NEAR)
+                self.walk(cells, pencil)
             }
             Found::TooMany => None,
         }
@@ -264,20 +262,21 @@ fn decide(
         hard
     });
     let mut hard = hard.concat();
-    let again = |hard: &mut Vec<usize>, decided: &mut [bool], answer: &(dyn Fn(&Edge) -> Option<bool> + Sync)| {
-        let answers = parallel::map_slow(hard.len(), |i| edge(hard[i]).and_then(|edge| answer(&edge)));
+    let again = |hard: &mut Vec<usize>, decided: &mut [bool], answer: &Answer<'_>| {
+        let one = |doors: &mut Many, i: usize| edge(hard[i]).and_then(|edge| answer(&edge, doors));
+        let answers = parallel::map_slow_with(hard.len(), || cells.doors(), one);
         hard.iter().zip(&answers).for_each(|(&k, &kept)| decided[k] = kept == Some(true));
         let mut left = answers.iter().map(Option::is_none);
         hard.retain(|_| left.next() == Some(true));
     };
     let mut most = NEAR * FARTHER;
     while !hard.is_empty() && hard.len().saturating_mul(most) <= WALKED * rows {
-        again(&mut hard, &mut decided, &|edge| edge.walk(cells, edge.pencil(cells), most));
+        again(&mut hard, &mut decided, &|edge, doors| edge.walk_far(cells, doors, most));
         most *= FARTHER;
     }
     if !hard.is_empty() {
         let places = Places::of(cells, hard.len() > FEW);
-        again(&mut hard, &mut decided, &|edge| {
+        again(&mut hard, &mut decided, &|edge, _| {
             leaves_some(edge.pencil(cells), |disc, inside| Some(places.find(disc, inside)))
         });
     }
@@ -295,7 +294,7 @@ fn touch(cells: &Cells<'_>, rows: impl Iterator<Item = usize>) {
 /// when it cannot tell.
 fn leaves_some(
     mut pencil: Pencil,
-    find: impl Fn(Disc, &dyn Fn(Point) -> bool) -> Option<Option<Point>>,
+    mut find: impl FnMut(Disc, &dyn Fn(Point) -> bool) -> Option<Option<Point>>,
 ) -> Option<bool> {
     for _ in 0..CUTS {
         if pencil.is_empty() {
