@@ -17,9 +17,20 @@ import crazing as cz
 NAME = "{http://www.w3.org/2000/svg}"
 
 
-def path_points(path: ElementTree.Element) -> NDArray[np.float64]:
-    text = path.attrib["d"].removeprefix("M").removesuffix("Z")
-    return np.array([place.split(" ") for place in text.split("L")], dtype=float) * (1, -1)
+def path_points(path: ElementTree.Element) -> list[NDArray[np.float64]]:
+    """The points of every part of a path, y up."""
+    parts = path.attrib["d"].replace("Z", "").removeprefix("M").split("M")
+    return [np.array([place.split(" ") for place in part.split("L")], dtype=float) * (1, -1) for part in parts]
+
+
+def strokes(segments: NDArray[np.float64], width: NDArray[np.float64]) -> shapely.Geometry:
+    """Edges in their widths: each a trapezium with a disc at either end."""
+    a, b = segments[:, 0], segments[:, 1]
+    along = (b - a) / np.hypot(*(b - a).T)[:, None]
+    across = along[:, ::-1] * (-1, 1)
+    first, second = across * width[:, :1] / 2, across * width[:, 1:] / 2
+    trapezia = shapely.polygons(np.stack([a + first, b + second, b - second, a - first], axis=1))
+    return shapely.union_all([*trapezia, *shapely.buffer(shapely.points(segments), width / 2).ravel()])
 
 
 CRACKS = {
@@ -51,6 +62,8 @@ def test_geojson_is_every_edge_once_with_who_abuts_whom(tmp_path: Path, name: st
     steps = np.hypot(*(c.segments[:, 1] - c.segments[:, 0]).T)
     np.testing.assert_allclose(length, np.bincount(c.strand, steps, len(length)), rtol=1e-9)
     assert sum(len(line.coords) - 1 for line in lines) == len(c.graph.edges)
+    box = shapely.box(*json.loads((tmp_path / "crack.geojson").read_text())["bbox"])
+    assert all(box.covers(line) for line in lines)
 
 
 @pytest.mark.parametrize("name", CRACKS)
@@ -62,17 +75,33 @@ def test_svg_has_centrelines_and_true_outlines_by_generation(tmp_path: Path, nam
     wanted = {f"-generation-{k}" for k in np.unique(c.generation)}
     for kind in ("outlines", "centrelines"):
         assert {group.attrib["id"].removeprefix(kind) for group in groups[kind]} == wanted
-    lines = [path_points(path) for path in groups["centrelines"].iter(f"{NAME}path")]
+    lines = [path_points(path)[0] for path in groups["centrelines"].iter(f"{NAME}path")]
     shapes = [path_points(path) for path in groups["outlines"].iter(f"{NAME}path")]
     steps = np.hypot(*(c.segments[:, 1] - c.segments[:, 0]).T)
     assert sum(shapely.LineString(line).length for line in lines) == pytest.approx(steps.sum())
-    for line, shape in zip(lines, shapes, strict=True):
-        assert len(shape) == 2 * len(line)
-        # Opposite points of the outline have the centreline in their middle.
-        np.testing.assert_allclose((shape[: len(line)] + shape[::-1][: len(line)]) / 2, line, atol=1e-12)
-    # Area between centreline and width: trapezia, but for joints.
-    area = sum(abs(shapely.Polygon(shape).area) for shape in shapes if len(shape) > 3)
-    assert area == pytest.approx((steps * c.width.mean(axis=1)).sum(), rel=0.05)
+    assert len(lines) == len(shapes)
+    if not len(lines):
+        return
+    drawn = shapely.union_all([shapely.Polygon(part).buffer(0) for parts in shapes for part in parts])
+    if c.period is not None:
+        moves = [(float(use.attrib["x"]), -float(use.attrib["y"])) for use in root.findall(f"{NAME}use")]
+        assert len(moves) % 2 == 0
+        drawn = shapely.union_all([shapely.affinity.translate(drawn, *move) for move in [(0, 0), *moves]])
+    around = [0.0] if c.period is None else [-1.0, 0.0, 1.0]
+    moves = [np.multiply((x, y), c.period or (0, 0)) for x in around for y in around]
+    expected = shapely.union_all([strokes(c.segments + move, c.width) for move in moves])
+    drawn, expected = (shapely.intersection(shape, shapely.box(*c.bounds)) for shape in (drawn, expected))
+    # Mitres stand out a little, and round ends are polygons.
+    assert shapely.symmetric_difference(drawn, expected).area < 0.01 * expected.area
+
+
+def test_a_hairpin_is_as_wide_as_its_edges(tmp_path: Path) -> None:
+    graph = cz.PlanarGraph([(0.1, 0.2), (0.9, 0.2), (0.1, 0.3)], [(0, 1), (1, 2)])
+    c = cz.Crack(graph, np.full((2, 2), 0.04), np.zeros(2, np.int32), np.zeros(2, np.int32), (0, 0, 1, 1))
+    c.save(tmp_path / "crack.svg")
+    (path,) = ElementTree.parse(tmp_path / "crack.svg").getroot().find(f"{NAME}g").iter(f"{NAME}path")
+    drawn = shapely.union_all([shapely.Polygon(part) for part in path_points(path)])
+    assert drawn.area == pytest.approx(shapely.LineString(graph.vertices).buffer(0.02).area, rel=1e-3)
 
 
 @pytest.mark.parametrize("name", CRACKS)
@@ -81,6 +110,7 @@ def test_dxf_passes_the_audit_with_layers_and_widths(tmp_path: Path, name: str) 
     c.save(tmp_path / "crack.dxf")
     drawing = ezdxf.readfile(tmp_path / "crack.dxf")
     assert not drawing.audit().has_errors
+    assert drawing.units == 0
     lines = list(drawing.modelspace())
     assert {line.dxf.layer for line in lines} == {f"generation-{k}" for k in np.unique(c.generation)}
     assert sum(len(line) - 1 for line in lines) == len(c.graph.edges)

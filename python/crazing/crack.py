@@ -232,15 +232,16 @@ class Crack(Record):
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the pattern as a drawing, in data units; an existing file is replaced.
 
-        A pattern on a torus is drawn over one period: edges that leave it run on beyond its sides.
+        A pattern on a torus is drawn over one period: lines that leave it run on beyond its sides.
 
         Parameters
         ----------
         path : str or path-like
             Its ending decides the format. `.svg`: a group of outlines with the true widths, and a hidden one of
-            centrelines, a group in each for every generation. `.dxf` (needs ezdxf, the extra `cad`): polylines with
-            their widths, a layer for every generation. `.geojson`: a line for every strand, with the properties
-            strand, generation, parent (null for none), width (largest), widths (one a point).
+            centrelines, a group in each for every generation; on a torus copies of both fill the period, so that
+            the picture tiles. `.dxf` (needs ezdxf, the extra `cad`): polylines with their widths, a layer for every
+            generation, without a unit. `.geojson`: a line for every strand, with the properties strand, generation,
+            parent (null for none), width (largest), widths (one a point).
 
         Raises
         ------

@@ -74,7 +74,7 @@ def dxf(graph: PlanarGraph) -> str:
     """One LWPOLYLINE a line in the model space of a DXF R2010 drawing, closed for rings."""
     ezdxf = require("ezdxf", "cad")
     left, low, right, high = _extent(graph)
-    drawing = ezdxf.new("R2010")
+    drawing = ezdxf.new("R2010", units=0)
     space = drawing.modelspace()
     for line in _lines(graph):
         # A ring of fewer than three distinct points encloses nothing: it is drawn there and back.

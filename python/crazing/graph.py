@@ -358,9 +358,9 @@ class PlanarGraph(Record):
         ----------
         path : str or path-like
             Its ending decides the format: `.svg` (as `to_svg`), `.geojson` (one feature, of type
-            MultiLineString) or `.dxf` (one LWPOLYLINE a line; needs ezdxf, the extra `cad`). All keep every
-            bit of a coordinate. GeoJSON names no reference system; programs take it for longitude and latitude unless
-            they are told another.
+            MultiLineString) or `.dxf` (one LWPOLYLINE a line, without a unit; needs ezdxf, the extra `cad`). All
+            keep every bit of a coordinate. GeoJSON names no reference system; programs take it for longitude and
+            latitude unless they are told another.
 
         Raises
         ------

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from crazing import vectors
 from crazing.arguments import bounds_tuple
@@ -52,9 +51,9 @@ def skeleton(drawn: Skeleton, ax: Axes | None, *, bounds: ArrayLike | None, styl
 def crack(drawn: Crack, ax: Axes | None, *, style: Any) -> Axes:
     """Fills the outlines of the strands; see `Crack.plot`."""
     ax = axes(ax)
-    outlines = [vectors.outline(strand) for strand in vectors.strands(drawn)]
-    if drawn.period is not None:
-        outlines = [copy for outline in outlines for copy in _copies(outline, drawn.bounds, drawn.period)]
+    outlines = [outline for strand in vectors.strands(drawn) for outline in vectors.outlines(strand)]
+    moves = vectors.copies(drawn, outlines)
+    outlines = [outline + move for outline, each in zip(outlines, moves, strict=True) for move in each]
     own = {} if "color" in style else {"facecolor": CRUST, "edgecolor": "none"}
     polygons = require("matplotlib.collections", "plot").PolyCollection(outlines, **own | {"linewidth": 0} | style)
     ax.add_collection(polygons, autolim=False)
@@ -63,16 +62,6 @@ def crack(drawn: Crack, ax: Axes | None, *, style: Any) -> Axes:
         rectangle = require("matplotlib.patches", "plot").Rectangle
         polygons.set_clip_path(rectangle((xmin, ymin), xmax - xmin, ymax - ymin, transform=ax.transData))
     return _shown(ax, drawn.bounds)
-
-
-def _copies(
-    outline: NDArray[np.float64], bounds: tuple[float, ...], period: tuple[float, float]
-) -> list[NDArray[np.float64]]:
-    """The outline on all the places of its torus where it reaches into one period."""
-    corner = np.asarray(bounds[:2])
-    first, last = (np.floor((end - corner) / period) for end in (outline.min(axis=0), outline.max(axis=0)))
-    ways = (np.arange(-high, -low + 1) for low, high in zip(first, last, strict=True))
-    return [outline + np.array(shift) * period for shift in product(*ways)]
 
 
 def _lines(ax: Axes, graph: PlanarGraph, box: tuple[float, ...], style: dict[str, Any]) -> None:

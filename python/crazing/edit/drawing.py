@@ -128,7 +128,7 @@ def dxf(layers: list[Layer], box: Box) -> bytes:
     """Every layer as polylines or points of a DXF layer of its name."""
     ezdxf = require("ezdxf", "cad")
     left, low, right, high = box
-    drawing = ezdxf.new("R2010")
+    drawing = ezdxf.new("R2010", units=0)
     space = drawing.modelspace()
     for layer in layers:
         name = {"layer": layer.name.upper()}
