@@ -94,3 +94,14 @@ def test_the_unit_does_not_matter() -> None:
     points = sampled([(0, 1), (4, 0), (0, -1)], 30)
     for scale in (2.0**-300, 2.0**20, 2.0**300):
         assert pairs(cz.curve(points * scale).edges) == ring(len(points))
+
+
+@pytest.mark.parametrize("n", [300, 900])
+def test_the_order_of_the_samples_does_not_matter_nor_a_quarter_turn(n: int) -> None:
+    # Points on no curve are amiss everywhere: the search for better edges has its say at all of them.
+    points = np.random.default_rng(n).random((n, 2))
+    expected = pairs(cz.curve(points).edges)
+    order = np.random.default_rng(1).permutation(n)
+    assert pairs(order[cz.curve(points[order]).edges]) == expected
+    for turned in (points[:, ::-1] * (-1, 1), points * (-1, 1), points * 1024):
+        assert pairs(cz.curve(turned).edges) == expected

@@ -113,6 +113,34 @@ def test_the_default_is_the_same_moved_turned_scaled_and_in_any_order(shape: str
     assert pairs(one_step(points[order]).prune(), order) == expected
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_rings_torn_by_noise_are_mended_the_same_in_any_order(seed: int) -> None:
+    small, large = (moved(400, "flower", "normal", 0.4, seed + k)[0] for k in (0, 9))
+    points = np.vstack([0.4 * small, large])
+    rows, order = np.arange(800), np.random.default_rng(seed).permutation(800)
+    s, other = one_step(points), one_step(points[order])
+    assert (s.crust.degrees != 2).any()
+    found = [np.sort(o[each.diagram.edges[each.ring_mask]], axis=1) for each, o in ((s, rows), (other, order))]
+    assert set(map(tuple, found[0].tolist())) == set(map(tuple, found[1].tolist()))
+    # Of a piece of one edge either end may be taken for the inner one.
+    assert len(pairs(other.prune(), order) ^ pairs(s.prune(), rows)) <= 2
+
+
+def inner_pairs(s: cz.Skeleton, order: NDArray[np.intp]) -> set[tuple[int, int]]:
+    return set(map(tuple, np.sort(order[s.diagram.edges[s.inside]], axis=1).tolist()))
+
+
+def test_height_is_the_same_in_a_mirror_and_in_any_order() -> None:
+    # Arcs with an odd number of steps have two samples in their middle.
+    for seed in range(6):
+        points = moved(400, "flower", "uniform", 0.2, seed)[0]
+        rows, order = np.arange(400), np.random.default_rng(seed).permutation(400)
+        for height in (1.0, 3.0, 6.0, 17.0):
+            expected = inner_pairs(one_step(points).prune(height=height), rows)
+            assert inner_pairs(one_step(points * (-1, 1)).prune(height=height), rows) == expected
+            assert inner_pairs(one_step(points[order]).prune(height=height), order) == expected
+
+
 def test_little_and_even_input_is_pruned() -> None:
     for n in (3, 4, 5, 12, 99, 100, 101):
         t = np.linspace(0, 2 * np.pi, n, endpoint=False)

@@ -39,7 +39,15 @@ impl Incidence {
         Self { starts, rows }
     }
 
-    /// The rows that hold `index`, ascending.
+    /// Puts the rows of every index in the order of a value each, the smallest first; equal ones stay ascending.
+    pub(crate) fn sort_by_value(&mut self, value: impl Fn(u32) -> f64) {
+        for ends in self.starts.windows(2) {
+            let rows = &mut self.rows[ends[0] as usize..ends[1] as usize];
+            rows.sort_by(|&a, &b| value(a).total_cmp(&value(b)));
+        }
+    }
+
+    /// The rows that hold `index`, ascending unless they were sorted.
     #[inline]
     pub fn at(&self, index: usize) -> &[u32] {
         &self.rows[self.starts[index] as usize..self.starts[index + 1] as usize]
@@ -53,6 +61,10 @@ mod tests {
     #[test]
     fn rows_are_found_in_order() {
         let found = Incidence::of(4, &[[2, 0], [0, -1], [3, 2]]);
-        assert_eq!([0, 1, 2, 3].map(|i| found.at(i).to_vec()), [vec![0, 1], vec![], vec![0, 2], vec![2]]);
+        let rows = |found: &Incidence| [0, 1, 2, 3].map(|i| found.at(i).to_vec());
+        assert_eq!(rows(&found), [vec![0, 1], vec![], vec![0, 2], vec![2]]);
+        let mut sorted = found;
+        sorted.sort_by_value(|row| [2.0, 0.0, 1.0][row as usize]);
+        assert_eq!(rows(&sorted), [vec![1, 0], vec![], vec![2, 0], vec![2]]);
     }
 }

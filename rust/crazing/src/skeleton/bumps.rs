@@ -120,9 +120,9 @@ impl Rings<'_> {
         let place = |steps: usize| self.sites[line[(arc.start + steps) % line.len()] as usize];
         let most = distance(centre, place(0)) + height;
         let looks = arc.count.min(LOOKS);
-        (0..=looks).all(|look| {
-            // 0, 1, -1, 2, -2 steps from the middle.
-            let off = look.div_ceil(2) * arc.count / looks.max(1);
+        (0..=looks + 1).all(|look| {
+            // To both sides of the middle in turn: the answer is that of the arc the other way round.
+            let off = look / 2 * arc.count / looks.max(1);
             let middle = arc.count / 2;
             let steps = if look % 2 == 0 { middle + arc.count % 2 + off } else { middle.saturating_sub(off) };
             distance(centre, place(steps.min(arc.count))) < most

@@ -5,7 +5,7 @@
 
 use crate::graph::Point;
 
-/// What turning costs.
+/// What turning costs, and where an exchange begins.
 #[derive(Clone, Copy)]
 pub(super) struct Turning {
     /// Full turn back, beside an edge as long as its surroundings.
@@ -13,12 +13,15 @@ pub(super) struct Turning {
     /// Part of half a turn at which half as much is reached as there would be without end: the first degrees cost most,
     /// so that the turning gathers in few corners.
     soft: f64,
+    /// Whether the dearest edge of a site is tried first, or the cheapest. Tried on outlines of land and on noisy rings:
+    /// the one finds two more of a thousand true edges, the other leaves half as many rings open.
+    pub(super) dearest_first: bool,
 }
 
 /// Samples that are few but stand on the curve: which way it goes on says most.
-pub(super) const SPARSE: Turning = Turning { most: 3.0, soft: 1.0 };
+pub(super) const SPARSE: Turning = Turning { most: 3.0, soft: 1.0, dearest_first: true };
 /// Samples beside the curve: small turns are noise, and with more weight rings would come open.
-pub(super) const NOISY: Turning = Turning { most: 2.0, soft: 0.5 };
+pub(super) const NOISY: Turning = Turning { most: 2.0, soft: 0.5, dearest_first: false };
 /// Edges at a site whose lengths differ by a factor e.
 const RATIO: f64 = 0.3;
 /// Logarithm of the lengths beyond which it costs no more.

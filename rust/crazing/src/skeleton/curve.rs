@@ -6,6 +6,8 @@
 //! for all of them, see [`beliefs`](super::beliefs); then edges are exchanged along short trails, each of which begins
 //! where something is amiss still.
 
+use std::cmp::Ordering;
+
 use super::beliefs::beliefs;
 use super::candidates::Candidates;
 use super::cost::{self, End, Turning};
@@ -75,7 +77,13 @@ pub(super) struct Draft {
 }
 
 impl Draft {
-    fn of(view: DiagramView<'_>, crust: &[bool], net: Candidates, turning: Turning, watch: Watch<'_>) -> Result<Self> {
+    fn of(
+        view: DiagramView<'_>,
+        crust: &[bool],
+        mut net: Candidates,
+        turning: Turning,
+        watch: Watch<'_>,
+    ) -> Result<Self> {
         let scale = Scale::of(largest(view.sites));
         let sites: Vec<Point> = view.sites.iter().map(|&p| scale.down(p)).collect();
         watch.poll()?;
@@ -92,6 +100,10 @@ impl Draft {
         };
         let mut price = parallel::map_watched(net.edges.len(), price, watch)?;
         price[view.edges.len()..].iter_mut().for_each(|price| *price += cost::ACROSS);
+        watch.poll()?;
+        // The first exchange that helps is made, so what is tried first must not hang on how the sites are numbered.
+        let sign = if turning.dearest_first { -1.0 } else { 1.0 };
+        net.about.sort_by_value(|k| sign * price[k as usize]);
         let mut chosen = crust.to_vec();
         chosen.resize(net.edges.len(), false);
         let count = sites.len();
@@ -117,10 +129,11 @@ impl Draft {
         self.settle(watch)?;
         loop {
             // Where nothing has changed since it was last looked at, nothing would be found.
-            let amiss = self.amiss(|v| self.fresh[v], watch)?;
+            let mut amiss = self.amiss(|v| self.fresh[v], watch)?;
             if amiss.is_empty() {
                 return Ok(self);
             }
+            amiss.sort_by(|&a, &b| self.urgency(a, b));
             for v in amiss {
                 watch.poll()?;
                 self.fresh[v] = false;
@@ -171,6 +184,13 @@ impl Draft {
             }
         }
         Ok(amiss)
+    }
+
+    /// Which of two sites is looked at first: the dearer one, then the one whose edges are cheaper, compared in turn.
+    fn urgency(&self, a: usize, b: usize) -> Ordering {
+        let prices = |v: usize| self.net.about.at(v).iter().map(|&k| self.price[k as usize]);
+        let by_price = || prices(a).partial_cmp(prices(b)).unwrap_or(Ordering::Equal);
+        self.before[b].total_cmp(&self.before[a]).then_with(by_price)
     }
 
     /// A search is to begin anew at all sites from which a trail could pass one of these, but for one.
