@@ -7,6 +7,7 @@ import math
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+import imagecodecs
 import numpy as np
 import pytest
 from PIL import Image
@@ -81,6 +82,48 @@ def test_a_reader_of_materialx_finds_the_material(scene) -> None:
     (moved,) = MaterialX.getShaderNodes(material, "displacementshader")
     assert moved.getInputValue("scale") > 0
     assert json.loads(ElementTree.parse(scene / "mud.mtlx").getroot().get("doc"))["command"] == "texture"
+
+
+@pytest.mark.parametrize("form", ["png16", "tiff16", "tiff32", "exr16", "exr32"])
+def test_the_nodes_of_materialx_make_of_every_format_the_same_colours_and_normals(texture, tmp_path, form) -> None:
+    import MaterialX
+
+    texture.save(tmp_path / "a", name="a", format=form)
+    document = MaterialX.createDocument()
+    MaterialX.readFromXmlFile(document, str(tmp_path / "a" / "a.mtlx"))
+    assert document.validate()[0]
+    graph = document.getNodeGraphs()[0]
+
+    def value(node):
+        if node.getCategory() == "image":
+            return samples(tmp_path / "a" / node.getInputValue("file"))
+        if node.getCategory() == "normalmap":
+            return 2 * value(node.getConnectedNode("in")) - 1
+        act = {"multiply": np.multiply, "add": np.add}[node.getCategory()]
+        return act(value(node.getConnectedNode("in1")), node.getInputValue("in2"))
+
+    normals = value(graph.getOutput("out_normal_gl").getConnectedNode())
+    np.testing.assert_allclose(normals, texture["normal"], atol=2e-3)
+    color = graph.getNode("color")
+    is_encoded = color.getInput("file").getColorSpace() == "srgb_texture"
+    light = linear(value(color)) if is_encoded else value(color)
+    np.testing.assert_allclose(light, linear(texture["color"] / 255), atol=1e-3)
+
+
+def linear(level: np.ndarray) -> np.ndarray:
+    """Light by levels of sRGB, IEC 61966-2-1."""
+    return np.where(level <= 0.04045, level / 12.92, ((level + 0.055) / 1.055) ** 2.4)
+
+
+def samples(path: Path) -> np.ndarray:
+    """A picture as numbers: whole ones from 0 to 1, floats as they are."""
+    if path.suffix == ".exr":
+        import OpenEXR
+
+        with OpenEXR.File(str(path)) as file:
+            return file.channels()["RGB"].pixels.astype(float)
+    array = imagecodecs.imread(path)
+    return array / np.iinfo(array.dtype).max if array.dtype.kind == "u" else array.astype(float)
 
 
 def test_a_periodic_texture_repeats_in_its_scenes(tmp_path) -> None:

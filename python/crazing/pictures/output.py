@@ -178,15 +178,15 @@ def _record(picture: str, form: str, wanted: Wanted, shown: Shown, reach: float)
 def _scenes(folder: Path, made: tuple[Picture, ...], wanted: Wanted, shown: Shown, density: float) -> tuple[Path, ...]:
     """MaterialX beside pictures of colour, and glTF where they are PNG."""
     files = {picture.name: picture.target.name for picture in made}
-    kind = made[0].form.kind
-    if "color" not in files or kind == "zarr":
+    form = made[0].form
+    if "color" not in files or form.kind == "zarr":
         return ()
     height, width = shown.size
     record = _record("scene", made[0].record["format"], wanted, shown, 0.0)
     sides, relief = (width / density, height / density), shown.relief * wanted.metres
-    about = scene.Scene(wanted.name, files, sides, relief, shown.tiles, record)
+    about = scene.Scene(wanted.name, files, sides, relief, shown.tiles, form, record)
     texts = {folder / f"{wanted.name}.mtlx": scene.materialx(about)}
-    if kind == "png":
+    if form.kind == "png":
         texts[folder / f"{wanted.name}.gltf"] = scene.gltf(about)
     for path, text in texts.items():
         with atomic_write(path) as file:

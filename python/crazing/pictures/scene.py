@@ -5,11 +5,13 @@ from __future__ import annotations
 import base64
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from crazing.pictures.samples import Format
 
 _CLAMP, _REPEAT, _LINEAR, _MIPMAPS = 33071, 10497, 9729, 9987
 _FLOAT, _USHORT = 5126, 5123
@@ -28,6 +30,8 @@ class Scene:
     """What heights from 0 to 1 are, metres."""
     tiles: bool
     """Whether the texture repeats."""
+    form: Format
+    """How the pictures are stored."""
     record: Mapping[str, Any]
 
 
@@ -37,7 +41,7 @@ def materialx(scene: Scene) -> str:
     mode = "periodic" if scene.tiles else "clamp"
     nodes, surface, material = [], [], []
     for picture, kind, space, port in (
-        ("color", "color3", "srgb_texture", "base_color"),
+        ("color", "color3", "lin_rec709" if scene.form.kind == "exr" else "srgb_texture", "base_color"),
         ("roughness", "float", "", "specular_roughness"),
         ("normal_gl", "vector3", "", "normal"),
         ("height", "float", "", ""),
@@ -48,7 +52,7 @@ def materialx(scene: Scene) -> str:
         out = picture
         if picture == "normal_gl":
             out = "bumped"
-            nodes.append(_node("normalmap", out, kind, f'<input name="in" type="vector3" nodename="{picture}" />'))
+            nodes.extend(_normals(picture, out, has_signs=scene.form.bits == 32 or scene.form.kind == "exr"))
         nodes.append(f'    <output name="out_{picture}" type="{kind}" nodename="{out}" />')
         if port:
             surface.append(_wire(port, kind, f"NG_{name}", picture))
@@ -87,6 +91,16 @@ def _node(kind: str, name: str, result: str, *inputs: str) -> str:
     return "\n".join(
         [f'    <{kind} name="{name}" type="{result}">', *(f"      {line}" for line in inputs), f"    </{kind}>"]
     )
+
+
+def _normals(picture: str, out: str, *, has_signs: bool) -> Iterator[str]:
+    """The nodes that make normals of a picture: `normalmap` takes 0 to 1, where floats are stored from -1 to 1."""
+    if has_signs:
+        for kind, name, value in (("multiply", "halved", picture), ("add", "levels", "halved")):
+            first = f'<input name="in1" type="vector3" nodename="{value}" />'
+            yield _node(kind, name, "vector3", first, '<input name="in2" type="float" value="0.5" />')
+        picture = "levels"
+    yield _node("normalmap", out, "vector3", f'<input name="in" type="vector3" nodename="{picture}" />')
 
 
 def _image(picture: str, kind: str, space: str, file: str, mode: str) -> str:
