@@ -144,3 +144,17 @@ def test_fit_says_how_far_it_is_off(folder: Path) -> None:
     told = json.loads(shown.stdout)
     recipe = cz.Recipe.load(folder / "mine.toml")
     assert (told["n"], told["opening"], told["seed"]) == (recipe.n, recipe.opening, 1) and 0 < told["off"] < 4
+
+
+@pytest.mark.parametrize("shape", ["ring", "dot"])
+def test_what_cannot_be_divided_is_null_in_json(tmp_path: Path, shape: str) -> None:
+    far = np.hypot(*(np.indices((64, 64)) - 32))
+    cz.save_png(tmp_path / "odd.png", (255 * (abs(far - 20) < 2 if shape == "ring" else far < 2)).astype(np.uint8))
+
+    def refuse(token: str) -> None:
+        raise AssertionError(token)
+
+    shown = run(tmp_path, "measure", "odd.png", "--preset", "glaze", "--json", "-o", "odd.json")
+    found = json.loads(shown.stdout, parse_constant=refuse)
+    assert found == json.loads((tmp_path / "odd.json").read_text(), parse_constant=refuse)
+    assert found["loops_per_junction"] is None and found["loops"] == (shape == "ring")

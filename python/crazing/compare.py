@@ -58,6 +58,7 @@ class Comparison(Record):
         """The largest distance from a point of either axis to the other one, in the bounding box of the samples.
 
         Edges with an end outside the box are left out. Points of an edge are taken a thousandth of the diagonal apart.
+        Infinite if only one axis has an edge there.
 
         Examples
         --------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping
 
@@ -149,7 +150,7 @@ def _exact(source: Crack | PlanarGraph, bounds: _Bounds | None, gauge: tuple[flo
         found = _core.statistics(lines, period, None, period[0] * period[1], gauge)
     else:
         found = _core.statistics(lines, (0.0, 0.0), bounds, _area(lines[0], lines[1], bounds), gauge)
-    return CrackStatistics(**dict(found))
+    return _statistics(dict(found))
 
 
 def _traced(picture: NDArray[np.bool_], spur: float, merge: float, gauge: tuple[float, ...]) -> CrackStatistics:
@@ -157,7 +158,12 @@ def _traced(picture: NDArray[np.bool_], spur: float, merge: float, gauge: tuple[
     vertices, edges, widths = _core.trace(picture, spur, merge)
     lines = (vertices, edges, _NO_SHIFTS, widths[edges])
     found = dict(_core.statistics(lines, (0.0, 0.0), (0.0, 0.0, width, height), height * width, gauge))
-    return CrackStatistics(**{**found, "area_fraction": float(picture.mean())})
+    return _statistics({**found, "area_fraction": float(picture.mean())})
+
+
+def _statistics(found: Mapping[str, float]) -> CrackStatistics:
+    """With NaN where the core divides by nothing: loops over no junction, boxes that a point meets."""
+    return CrackStatistics(**{name: value if math.isfinite(value) else math.nan for name, value in found.items()})
 
 
 def _lines(source: Crack | PlanarGraph) -> tuple[_Lines, tuple[float, float] | None]:

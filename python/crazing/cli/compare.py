@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -46,7 +47,7 @@ def _numbers(ctx: click.Context, parameter: click.Parameter, value: str | None) 
     metavar="N,N,...",
     help="Several numbers of samples instead: a study with a line for each.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print the table as JSON.")
+@click.option("--json", "as_json", is_flag=True, help="Print the table as JSON, null for infinite.")
 @level_option
 @click.option("--first", default="one-step", show_default=True, metavar="METHOD", help="The one method.")
 @click.option("--second", default="edge-filter", show_default=True, metavar="METHOD", help="The other method.")
@@ -105,7 +106,9 @@ def command(
 
 def _json(found: crazing.Study | crazing.Comparison) -> str:
     study = found if isinstance(found, crazing.Study) else crazing.Study((found,))
-    return json.dumps(study.table, indent=1)
+    # JSON has no infinity, the distance from an axis without an edge.
+    rows = [{name: None if value == math.inf else value for name, value in row.items()} for row in study.table]
+    return json.dumps(rows, indent=1, allow_nan=False)
 
 
 def _figure(comparison: crazing.Comparison) -> Figure:
