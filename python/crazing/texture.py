@@ -181,6 +181,11 @@ class Texture(Mapping[str, NDArray[Any]]):
     end of several edges that are equally near, strand, generation and direction are those of the widest there, of
     equally wide ones of the first.
 
+    The mask of one edge is its share of a pixel to within .05 along its sides and .15 at its ends (.1 and .26 where
+    it is narrower than a pixel). Where several meet in a pixel, the one that covers most of it counts: up to half a
+    pixel too little. In the mean that is .02 over pixels on the rim; the area of a pattern is within .3 % where
+    cracks are some pixels wide, within 4 % where they are about one.
+
     Attributes
     ----------
     maps : dict of str to array

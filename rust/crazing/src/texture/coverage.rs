@@ -2,7 +2,8 @@
 //!
 //! Per piece and pixel this is the overlap of the pixel, seen as an interval of length 1 along the line through the
 //! nearest disc's centre, with the piece's chord on that line. It is exact for sides along the rows or columns,
-//! and off by at most .043 for oblique ones. Pieces are joined by the largest: joints have no seams, and no order.
+//! and off by at most .043 for oblique ones; at ends, and where a piece is narrower than a pixel, by more. Pieces are
+//! joined by the largest: joints have no seams, and no order, but pieces side by side in one pixel are not added up.
 
 use pulp::{Simd, WithSimd};
 
