@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import pickle
 from collections import Counter
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,6 +15,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import crazing as cz
+from command_line import run
 
 METHODS = ("initial", "edge-filter", "one-step")
 
@@ -176,3 +179,18 @@ def test_a_known_axis_is_measured_against() -> None:
     assert max(table["known from inner axis"]) < 1e-3
     with pytest.raises(ValueError, match=r"\(e, 2, 2\)"):
         cz.compare(ellipse, axis=[(1, 2)])
+
+
+def test_compare_has_no_infinity_in_its_json(tmp_path: Path) -> None:
+    # Three pixels corner to corner: only "initial" finds an axis among them.
+    bright = np.zeros((6, 7), np.uint8)
+    bright[[2, 3, 3], [3, 2, 4]] = 255
+    cz.save_png(tmp_path / "v.png", bright)
+    result = run("compare", tmp_path / "v.png", "--first", "initial", "--json")
+
+    def refuse(token: str) -> None:
+        raise AssertionError(token)
+
+    first, second = json.loads(result.stdout, parse_constant=refuse)
+    assert (first["axis length in box"] > 0, second["axis length in box"]) == (True, 0)
+    assert (first["farthest from the other"], second["farthest from the other"]) == (None, 0.0)
