@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,15 +11,25 @@ from numpy.typing import NDArray
 
 from crazing import _core
 from crazing.arguments import number
-from crazing.conforming import QUICK, ROUNDS, conforming, is_touched, side_lengths, with_feet, within
+from crazing.conforming import (
+    QUICK,
+    ROUNDS,
+    Floats,
+    Mask,
+    conforming,
+    is_touched,
+    side_lengths,
+    with_feet,
+    within,
+)
 from crazing.diagram import Diagram
 from crazing.errors import CrazingError, DegenerateInputError
 from crazing.graph import PlanarGraph
 from crazing.polygons import Ring, polygons
 
-#: Part of its ring that an edge of the centreline spans more than: the arms into the corners of an end that is just so
-#: wide are alike, whatever the last bit.
-RESIDUAL = 0.025 * (1 + 1e-9)
+#: By what a limit is passed surely: the arms into the corners of an end that is just so wide are alike, whatever the
+#: last bit, and a dead end that is just so long stays.
+SLIGHT = 1e-9
 #: Points on the boundary by default: at least so many, and at most.
 FEWEST, MOST = 400, 250_000
 #: Points round a hole of several polygons, at least.
@@ -31,7 +42,9 @@ STRAITS = 8
 PLAIN = 256
 
 
-def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
+def centerline(
+    polygon: Any, *, spacing: float | None = None, residual: float = 0.025, elongation: float | None = None
+) -> PlanarGraph:
     """The inner medial axis of a polygon with holes, without hairs.
 
     Parameters
@@ -47,12 +60,21 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
         Largest distance between two points of the boundary, in data units; the corners are always among them. By
         default a quarter of the mean width (twice the area over the perimeter), but from 400 to 250,000 points; of
         several polygons, small ones have their own.
+    residual : float, default 0.025
+        Part of its ring, at least 0 and below 0.5, that a corner or lobe has to span for an arm; 0 keeps all hairs.
+    elongation : float, optional
+        Dead ends that are so many times as long as they are wide have an arm, too, whatever they span: the streets of a
+        town, the small tributaries of a river. Of an alley with a square end it is the length, from its mouth, over the
+        width; of any dead end, half of what its outline is longer than its mouth is wide, over that width, at the mouth
+        where it is greatest. A round end counts .21 less than a square one, a pointed one half less; a corner of 90
+        degrees has .21, one of 60 degrees .5, one of 30 degrees 1.4. From 1 on, the arms into most corners stay away.
 
     Returns
     -------
     PlanarGraph
-        One path round every hole and one arm into every corner and lobe that spans more than 2.5 % of its ring, up to
-        where it does; of a circle, whose axis is a point, nothing.
+        One path round every hole and one arm into every corner, lobe and dead end that spans enough. An arm goes on as
+        long as there is one way to go: to the middle of a round end, into a corner of less than about 130 degrees, and
+        where an end has two corners, to where the ways into these part. Of a circle, whose axis is a point, nothing.
 
     Raises
     ------
@@ -62,7 +84,8 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
         If a coordinate is NaN or infinite, or the boundary crosses or overlaps itself (``shapely.make_valid`` mends
         such polygons).
     TypeError, ValueError
-        If `polygon` is nothing of the above, or `spacing` is not positive or asks for too many points.
+        If `polygon` is nothing of the above, `spacing` is not positive or asks for too many points, or `residual` or
+        `elongation` is out of range.
 
     Notes
     -----
@@ -76,7 +99,11 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
     >>> line = cz.centerline([(0, 0), (8, 0), (8, 2), (0, 2)])
     >>> line.components, line.leaves
     (1, 4)
+    >>> corridor = cz.centerline([(0, 0), (100, 0), (100, 1), (0, 1)])
+    >>> corridor.leaves, round(corridor.length)
+    (2, 99)
     """
+    limits = _Limits.of(residual, elongation)
     parts = [
         [_opened(ring, f"ring {j} of polygon {i}") for j, ring in enumerate(part)]
         for i, part in enumerate(polygons(polygon, "polygon"))
@@ -95,12 +122,37 @@ def centerline(polygon: Any, *, spacing: float | None = None) -> PlanarGraph:
     length = float(sum(side_lengths(ring).sum() for ring in rings))
     apart = _default_spacing(length, area) if spacing is None else _checked(spacing, length, exponent)
     several = spacing is None and len(parts) > 1
-    found, edges = _axis(rings, lambda lines: _spacings(lines, apart) if several else [apart] * len(lines))
+    found, edges = _axis(rings, lambda lines: _spacings(lines, apart) if several else [apart] * len(lines), limits)
     vertices = np.ldexp(found.vertices, exponent) if exponent else found.vertices
     return PlanarGraph._of_core(vertices, edges).compact()
 
 
-def _axis(rings: list[Ring], apart: Callable[[list[Ring]], list[float]]) -> tuple[Diagram, NDArray[np.int32]]:
+@dataclass(frozen=True)
+class _Limits:
+    """What a part of the axis has to span: a part of its ring, or so many times the width of its mouth."""
+
+    residual: float
+    elongation: float | None
+
+    @classmethod
+    def of(cls, residual: float, elongation: float | None) -> _Limits:
+        part = number(residual, "residual", low=0.0)
+        if part >= 0.5:
+            raise ValueError(f"residual is {part}; a part of a ring below 0.5 is wanted")
+        return cls(part, None if elongation is None else number(elongation, "elongation", low=0.0))
+
+    def kept(self, found: Diagram, inside: Mask, residual: Floats, arc: Floats) -> Mask:
+        """The axis inside without what spans less, grown at its tips."""
+        if self.elongation is not None:
+            # Two sides and the end of an alley.
+            outline = (2 * self.elongation + 1) * found.delaunay.lengths
+            residual = np.where(arc >= (1 - SLIGHT) * outline, np.inf, residual)
+        return _core.reaching(found.arrays, inside, residual, arc, self.residual * (1 + SLIGHT))
+
+
+def _axis(
+    rings: list[Ring], apart: Callable[[list[Ring]], list[float]], limits: _Limits
+) -> tuple[Diagram, NDArray[np.int32]]:
     """The diagram of points along the rings, and the pairs of its vertices that are the axis."""
     made = conforming([*map(_densified, rings, apart(rings))], QUICK)
     is_quick = made is not None and not is_touched(*made[:2])
@@ -112,12 +164,9 @@ def _axis(rings: list[Ring], apart: Callable[[list[Ring]], list[float]]) -> tupl
         raise CrazingError("the boundary of the polygon comes too near to itself; touches in single points are fine")
     for rounds in range(STRAITS + 1):
         found, boundary, rings = made
-        if is_quick:
-            inside, _, residual = _core.sides(found.arrays, boundary, True)
-        else:
-            inside, residual = within(found, boundary, rings)
+        spans = _core.spans(found.arrays, boundary) if is_quick else within(found, boundary, rings)
         # A neck before a hole spans little of its ring, and is no hair.
-        kept = _core.peeled(found.arrays, inside, residual, RESIDUAL)
+        kept = limits.kept(found, *spans)
         finer = with_feet(found, boundary, rings, kept) if rounds < STRAITS else None
         made = None if finer is None else conforming(finer, ROUNDS)
         if made is None:

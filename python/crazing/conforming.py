@@ -19,6 +19,7 @@ QUICK, GROWTH = 8, 4
 CROWD = 4_000_000
 
 Mask = NDArray[np.bool_]
+Floats = NDArray[np.float64]
 
 
 def conforming(rings: list[Ring], rounds: int) -> tuple[Diagram, Mask, list[Ring]] | None:
@@ -61,8 +62,8 @@ def is_touched(found: Diagram, boundary: Mask) -> bool:
     return bool((np.bincount(found.edges[boundary].ravel(), minlength=len(found.sites)) != 2).any())
 
 
-def within(found: Diagram, boundary: Mask, rings: list[Ring]) -> tuple[Mask, NDArray[np.float64]]:
-    """Whether each dual edge is inside rings that may touch, and its arc residual.
+def within(found: Diagram, boundary: Mask, rings: list[Ring]) -> tuple[Mask, Floats, Floats]:
+    """Whether each dual edge is inside rings that may touch, its arc residual, and the length of that arc.
 
     A site where rings touch stands in several places; the residual is the least between any two of them.
     """
@@ -72,16 +73,19 @@ def within(found: Diagram, boundary: Mask, rings: list[Ring]) -> tuple[Mask, NDA
     order = np.argsort(found.site_of, kind="stable")
     first = np.searchsorted(found.site_of[order], np.arange(len(found.sites) + 1))
 
-    def residual(rows: NDArray[np.intp], others: NDArray[np.intp]) -> NDArray[np.float64]:
+    def spans(rows: NDArray[np.intp], others: NDArray[np.intp]) -> tuple[Floats, Floats]:
         way = np.abs(along[rows] - along[others]) / length[rows]
-        return np.where(ring_of[rows] == ring_of[others], np.minimum(way, 1 - way), np.inf)
+        residual = np.where(ring_of[rows] == ring_of[others], np.minimum(way, 1 - way), np.inf)
+        return residual, residual * length[rows]
 
-    result = residual(*order[first[found.edges]].T)
+    residual, arc = spans(*order[first[found.edges]].T)
     several = np.diff(first) > 1
     for k in np.flatnonzero(several[found.edges].any(axis=1) & inside).tolist():
         places = np.array([*product(*(order[first[site] : first[site + 1]] for site in found.edges[k]))])
-        result[k] = residual(*places.T).min()
-    return inside, result
+        parts, arcs = spans(*places.T)
+        least = parts.argmin()
+        residual[k], arc[k] = parts[least], arcs[least]
+    return inside, residual, arc
 
 
 def with_feet(found: Diagram, boundary: Mask, rings: list[Ring], kept: Mask) -> list[Ring] | None:

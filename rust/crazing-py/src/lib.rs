@@ -59,7 +59,8 @@ mod _core {
     #[pymodule_export]
     use crate::skeleton::{
         axis_edges, beyond, branches, crust_mask, curve, curve_edges, edge_filter, filtered_axis, initial, links,
-        longest_path, one_step, peeled, poles, poles_axis, ring_edges, sides, two_pass, without_bumps, without_hairs,
+        longest_path, one_step, peeled, poles, poles_axis, reaching, ring_edges, sides, spans, two_pass, without_bumps,
+        without_hairs,
     };
     #[pymodule_export]
     use crate::texture::{extent, levels, plates, texture};

@@ -89,25 +89,42 @@ pub(crate) fn curve_edges<'py>(py: Python<'py>, arrays: Arrays<'py>) -> PyResult
     table(py, detached(py, |watch| skeleton::curve_edges(view, watch))?)
 }
 
-type Sides<'py> = (Mask<'py>, Mask<'py>, Bound<'py, PyArray1<f64>>);
+type Floats<'py> = Bound<'py, PyArray1<f64>>;
+type Sides<'py> = (Mask<'py>, Mask<'py>, Floats<'py>);
 
 /// Whether each dual edge is inside the rings of the masked edges, whether one passes between its ends, and its arc
-/// residual. Rings that are known hold no splinters.
+/// residual.
 #[pyfunction]
-#[pyo3(signature = (arrays, mask, are_known = false))]
 pub(crate) fn sides<'py>(
     py: Python<'py>,
     arrays: Arrays<'py>,
     mask: PyReadonlyArray1<'py, bool>,
-    are_known: bool,
 ) -> PyResult<Sides<'py>> {
     let view = arrays.view()?;
     let mask = column(&mask, "mask", view.edges.len())?;
     let (inside, crossed, residuals) = detached(py, |watch| {
-        let (rings, inside) = skeleton::Rings::with_inside(view, mask, are_known, watch)?;
+        let (rings, inside) = skeleton::Rings::with_inside(view, mask, false, watch)?;
         Ok((inside, rings.walls_between().to_vec(), rings.residuals()))
     })?;
     Ok((PyArray1::from_vec(py, inside), PyArray1::from_vec(py, crossed), PyArray1::from_vec(py, residuals)))
+}
+
+/// Whether each dual edge is inside rings that are known and hold no splinters, its arc residual, and its arc.
+#[pyfunction]
+pub(crate) fn spans<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    boundary: PyReadonlyArray1<'py, bool>,
+) -> PyResult<(Mask<'py>, Floats<'py>, Floats<'py>)> {
+    let view = arrays.view()?;
+    let boundary = column(&boundary, "boundary", view.edges.len())?;
+    let (inside, residuals, arcs) = detached(py, |watch| {
+        let (rings, inside) = skeleton::Rings::with_inside(view, boundary, true, watch)?;
+        let residuals = rings.residuals();
+        let arcs = rings.arcs(&residuals);
+        Ok((inside, residuals, arcs))
+    })?;
+    Ok((PyArray1::from_vec(py, inside), PyArray1::from_vec(py, residuals), PyArray1::from_vec(py, arcs)))
 }
 
 /// Edges of a boundary that the kept axis passes, and the site opposite each.
@@ -178,6 +195,23 @@ pub(crate) fn peeled<'py>(
     let view = arrays.view()?;
     let (axis, worth) = (column(&axis, "axis", view.edges.len())?, column(&worth, "worth", view.edges.len())?);
     Ok(PyArray1::from_vec(py, detached(py, |watch| skeleton::peeled(view, axis, worth, least, watch))?))
+}
+
+/// The same grown at its tips along what was taken off, where one way alone spans enough of the boundary.
+#[pyfunction]
+pub(crate) fn reaching<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    axis: PyReadonlyArray1<'py, bool>,
+    worth: PyReadonlyArray1<'py, f64>,
+    arcs: PyReadonlyArray1<'py, f64>,
+    least: f64,
+) -> PyResult<Mask<'py>> {
+    let view = arrays.view()?;
+    let wanted = view.edges.len();
+    let (axis, worth) = (column(&axis, "axis", wanted)?, column(&worth, "worth", wanted)?);
+    let arcs = column(&arcs, "arcs", wanted)?;
+    Ok(PyArray1::from_vec(py, detached(py, |watch| skeleton::reaching(view, axis, worth, arcs, least, watch))?))
 }
 
 /// Which edges are left when branches that measure less are taken off.

@@ -16,6 +16,17 @@ use crate::watch::Watch;
 /// # Errors
 /// [`Error::BadLength`], [`Error::Interrupted`].
 pub fn peeled(view: DiagramView<'_>, axis: &[bool], worth: &[f64], least: f64, watch: Watch<'_>) -> Result<Vec<bool>> {
+    Ok(peeled_tree(view, axis, worth, least, watch)?.kept)
+}
+
+/// The same with what there is at every vertex of it.
+pub(super) fn peeled_tree(
+    view: DiagramView<'_>,
+    axis: &[bool],
+    worth: &[f64],
+    least: f64,
+    watch: Watch<'_>,
+) -> Result<Tree> {
     let wanted = view.edges.len();
     for (array, found) in [("axis", axis.len()), ("worth", worth.len())] {
         if found != wanted {
@@ -39,7 +50,7 @@ pub fn peeled(view: DiagramView<'_>, axis: &[bool], worth: &[f64], least: f64, w
         open(&mut tree, &mut weak, is_weak, worth);
         peel(&mut tree, weak, is_weak, watch)?;
     }
-    Ok(tree.kept)
+    Ok(tree)
 }
 
 /// Cuts the weak edges that close a cycle of strong and better ones.

@@ -146,6 +146,17 @@ impl<'a> Rings<'a> {
         parallel::map(edges.len(), |k| self.residual(edges[k][0] as usize, edges[k][1] as usize))
     }
 
+    /// Length of the shorter way between the two sites of every dual edge, which spans `residuals` of its line.
+    pub fn arcs(&self, residuals: &[f64]) -> Vec<f64> {
+        let whole = |along: &Vec<f64>| self.scale.up([along[along.len() - 1], 0.0])[0];
+        let lengths: Vec<f64> = self.along.iter().map(whole).collect();
+        let edges = self.view.edges;
+        parallel::map(edges.len().min(residuals.len()), |k| {
+            let length = lengths.get(self.stands[edges[k][0] as usize].line as usize);
+            length.map_or(f64::INFINITY, |length| residuals[k] * length)
+        })
+    }
+
     pub(super) fn residual(&self, p: usize, q: usize) -> f64 {
         let (a, b) = (self.stands[p], self.stands[q]);
         if a.line != b.line || a.line == -1 {

@@ -51,6 +51,11 @@ impl Tree {
         (0..self.duals.len() as u32).filter(|&k| self.hangs(k))
     }
 
+    /// All vertices that are tips.
+    pub(super) fn tip_vertices(&self) -> impl Iterator<Item = i32> {
+        (0..).zip(&self.degrees).filter(|(_, degree)| **degree == 1).map(|(v, _)| v)
+    }
+
     /// Whether an end of an edge is a tip.
     pub(super) fn hangs(&self, k: u32) -> bool {
         self.duals[k as usize].iter().any(|&v| self.is_tip(v))
@@ -86,8 +91,12 @@ impl Tree {
 
     /// The edges at a vertex that are left out and lead to a vertex of which all are.
     pub(super) fn left_out(&self, v: i32) -> impl Iterator<Item = u32> {
-        let alone = move |k: u32| self.duals[k as usize].iter().all(|&u| u == v || self.degrees[u as usize] == 0);
         let about = self.about.get_or_init(|| Incidence::of(self.degrees.len(), &self.duals));
-        about.at(v as usize).iter().copied().filter(move |&k| !self.kept[k as usize] && alone(k))
+        about.at(v as usize).iter().copied().filter(move |&k| self.leads_out(k, v))
+    }
+
+    /// Whether an edge at a vertex is left out and leads to a vertex of which all are.
+    pub(super) fn leads_out(&self, k: u32, v: i32) -> bool {
+        !self.kept[k as usize] && self.duals[k as usize].iter().all(|&u| u == v || self.degrees[u as usize] == 0)
     }
 }
