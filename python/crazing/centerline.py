@@ -63,11 +63,12 @@ def centerline(
     residual : float, default 0.025
         Part of its ring, at least 0 and below 0.5, that a corner or lobe has to span for an arm; 0 keeps all hairs.
     elongation : float, optional
-        Dead ends that are so many times as long as they are wide have an arm, too, whatever they span: the streets of a
-        town, the small tributaries of a river. Of an alley with a square end it is the length, from its mouth, over the
-        width; of any dead end, half of what its outline is longer than its mouth is wide, over that width, at the mouth
-        where it is greatest. A round end counts .21 less than a square one, a pointed one half less; a corner of 90
-        degrees has .21, one of 60 degrees .5, one of 30 degrees 1.4. From 1 on, the arms into most corners stay away.
+        Dead ends at least so many times as long as they are wide have an arm, too, whatever they span: the streets of
+        a town, the small tributaries of a river. They are those whose outline is at least 2 `elongation` + 1 times as
+        long as a chord across them: of an alley with a square end, the length from its mouth over the width. A round
+        end counts .21 widths less, a point half a width less; a corner of 90 degrees has .21, one of 60 degrees .5,
+        one of 30 degrees 1.4. For networks take 1, or 2 if their outline runs along pixels, and a `residual` of 0.2:
+        then the corners of small blocks and islands have no arms.
 
     Returns
     -------

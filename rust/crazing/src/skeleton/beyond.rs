@@ -3,6 +3,7 @@
 
 use super::one_step::opposite;
 use crate::diagram::DiagramView;
+use crate::diagram::scale::largest;
 use crate::error::{Error, Result};
 use crate::graph::Point;
 use crate::parallel;
@@ -26,7 +27,7 @@ pub fn beyond(view: DiagramView<'_>, boundary: &[bool], kept: &[bool]) -> Result
     for (duals, _) in view.dual_edges.iter().zip(kept).filter(|(_, kept)| **kept) {
         duals.iter().filter(|&&t| t != -1).for_each(|&t| used[t as usize] = true);
     }
-    let far = view.sites.iter().flatten().fold(0.0_f64, |far, x| far.max(x.abs()));
+    let far = largest(view.sites);
     let out = |k: usize, t: i32, turn: f64| {
         let ends = view.edges[k];
         let is_out = t != -1 && used[t as usize] && {
