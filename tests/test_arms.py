@@ -69,6 +69,26 @@ def test_a_single_corner_is_run_into(angle: float) -> None:
     assert np.hypot(*tips(line).T).min() < 2 * spacing
 
 
+@pytest.mark.parametrize(("wide", "deep"), [(0.5, 0.3), (0.3, 0.1), (0.2, 0.2)])
+def test_niches_hold_no_tip_up(wide: float, deep: float) -> None:
+    corridor = shapely.box(0, 0, 200, 1)
+    niches = [shapely.box(x, -deep, x + wide, 0.5) for x in np.arange(2, 198, 3.3)]
+    niches += [shapely.box(x, 0.5, x + wide, 1 + deep) for x in np.arange(3, 198, 4.1)]
+    line = cz.centerline(shapely.union_all([corridor, *niches]))
+    assert line.leaves == 2
+    np.testing.assert_allclose(tips(line), [(0.5, 0.5), (199.5, 0.5)], atol=0.15)
+
+
+@pytest.mark.parametrize("angle", [58, 70, 80, 90])
+def test_an_end_that_is_cut_askew_is_an_end(angle: float) -> None:
+    askew = 1 / np.tan(np.radians(angle))
+    polygon = shapely.Polygon([(0, 0), (100 + askew, 0), (100, 1), (-askew, 1)])
+    line = cz.centerline(polygon)
+    assert line.leaves == 2
+    # Where the disc touches both sides and the end; in a corner it would be smaller.
+    np.testing.assert_allclose(polygon.exterior.distance(shapely.points(tips(line))), 0.5, atol=0.05)
+
+
 def test_a_flat_corner_is_none() -> None:
     # The ends are as wide as the middle, but for a gable of 150 degrees.
     high = 0.5 / np.tan(np.radians(75))

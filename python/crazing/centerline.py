@@ -74,8 +74,9 @@ def centerline(
     -------
     PlanarGraph
         One path round every hole and one arm into every corner, lobe and dead end that spans enough. An arm goes on as
-        long as there is one way to go: to the middle of a round end, into a corner of less than about 130 degrees, and
-        where an end has two corners, to where the ways into these part. Of a circle, whose axis is a point, nothing.
+        long as one way leads on: to the middle of a round end, into a corner of less than about 130 degrees, past
+        niches; where an end has two corners, it stops where the ways into these part. Of a circle, whose axis is a
+        point, nothing.
 
     Raises
     ------
