@@ -1,5 +1,7 @@
 //! Work on all cores, in a pool that lives as long as the call: a global pool would not survive a fork.
 
+mod slow;
+
 use std::cell::RefCell;
 use std::ops::Range;
 use std::rc::Rc;
@@ -8,13 +10,13 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRef
 use rayon::slice::ParallelSliceMut;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+pub(crate) use slow::{map_slow, map_slow_with, several, several_with};
+
 use crate::error::Result;
 use crate::watch::Watch;
 
 /// Fewer items than this are not worth waking threads for.
 const WORTHWHILE: usize = 1 << 15;
-/// Items that one of long work counts for.
-const LONG: usize = 1 << 8;
 
 /// Whether this is in the midst of a call, and its pool as soon as it needs one.
 type Call = (bool, Option<Rc<ThreadPool>>);
@@ -156,52 +158,6 @@ pub(crate) fn compact_counted<T: Send + Copy + Default>(
     };
     choose(len, parts, |parts| parts.into_iter().for_each(write), |parts| parts.into_par_iter().for_each(write));
     found
-}
-
-/// The same where each item is long work.
-pub(crate) fn map_slow<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
-    map_slow_with(len, || (), |(), i| f(i))
-}
-
-/// The same with something that is made now and then, and used for many items.
-pub(crate) fn map_slow_with<S, T: Send>(
-    len: usize,
-    make: impl Fn() -> S + Sync + Send,
-    f: impl Fn(&mut S, usize) -> T + Sync + Send,
-) -> Vec<T> {
-    with(len, len.saturating_mul(LONG), make, f)
-}
-
-/// The same where every single item is worth a thread.
-pub(crate) fn several<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
-    several_with(len, || (), |(), i| f(i))
-}
-
-/// The same with something that is made now and then, and used for many items.
-pub(crate) fn several_with<S, T: Send>(
-    len: usize,
-    make: impl Fn() -> S + Sync + Send,
-    f: impl Fn(&mut S, usize) -> T + Sync + Send,
-) -> Vec<T> {
-    with(len, if len > 1 { WORTHWHILE } else { 0 }, make, f)
-}
-
-/// The same where the items are worth `worth` in all.
-fn with<S, T: Send>(
-    len: usize,
-    worth: usize,
-    make: impl Fn() -> S + Sync + Send,
-    f: impl Fn(&mut S, usize) -> T + Sync + Send,
-) -> Vec<T> {
-    choose(
-        worth,
-        (make, f),
-        |(make, f)| {
-            let mut made = make();
-            (0..len).map(|i| f(&mut made, i)).collect()
-        },
-        |(make, f)| (0..len).into_par_iter().map_init(make, f).collect(),
-    )
 }
 
 /// `f` of each of `0..len`, in any order.
