@@ -246,3 +246,8 @@ def test_styles_compare_whatever_their_colours_came_in() -> None:
     for form in (list, np.array):
         other = cz.Style(ink=form([1, 2, 3]), ground=form([4, 5, 6, 7]))
         assert other == style and hash(other) == hash(style) and repr(other) == repr(style)
+
+
+@pytest.mark.parametrize("kind", [list, np.array, iter])
+def test_colours_of_any_kind_make_equal_styles(kind) -> None:
+    assert cz.Style(ink=kind((1, 2, 3)), ground=kind((9, 8, 7, 6))) == cz.Style(ink=(1, 2, 3), ground=(9, 8, 7, 6))

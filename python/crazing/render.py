@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias
 
@@ -84,7 +85,10 @@ class Style:
 
     def __post_init__(self) -> None:
         for name in ("ink", "ground"):
-            color, parts = getattr(self, name), rgba(getattr(self, name), name)
+            given = getattr(self, name)
+            # What is gone once it was read is kept.
+            color = tuple(given) if isinstance(given, Iterator) else given
+            parts = rgba(color, name)
             if color is not None and not isinstance(color, str):
                 # Of a list or an array, which have no equality or hash that a style could use.
                 object.__setattr__(self, name, parts[: len(color)])
