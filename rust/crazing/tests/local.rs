@@ -80,6 +80,24 @@ fn equals_the_second_triangulation_edge_for_edge() {
     }
 }
 
+#[test]
+fn large_discs_beyond_all_sites_equal_the_second_triangulation() {
+    // Off the lattice of symmetry, where vertices far away would tie.
+    let at = |i: usize| {
+        let t = (i as f64 + 0.3 * (i as f64 * 2.4).sin()) / 20_000.0 * std::f64::consts::TAU;
+        let r = 1.0 + 0.3 * (5.0 * t + 0.1).cos() + 0.1 * (13.0 * t).cos() + 0.01 * (2.0 * t).sin();
+        [r * t.cos(), r * t.sin()]
+    };
+    let flower: Vec<Point> = (0..20_000).map(at).collect();
+    let wave: Vec<Point> = (0..20_000).map(|i| f64::from(i) * 5e-5).map(|x| [x, 1e-4 * (40.0 * x).sin()]).collect();
+    for (name, points) in [("flower", flower), ("wave", wave)] {
+        let d = of(&points);
+        let (local, literal) = (edge_filter(d.view()).unwrap(), second(d.view(), Watch::default()).unwrap());
+        assert_eq!(local.crust, literal.crust, "{name}");
+        assert_eq!(local.axis, literal.filtered, "{name}");
+    }
+}
+
 /// Samples of two arms and the bend between them, in which a disc touches one edge of a cell and comes in by another: a
 /// walk that enters every cell once only keeps an axis edge too many.
 #[rustfmt::skip]

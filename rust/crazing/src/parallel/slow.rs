@@ -9,16 +9,17 @@ const LONG: usize = 1 << 8;
 
 /// `f` of `0..len`, in order.
 pub(crate) fn map_slow<T: Send>(len: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
-    map_slow_with(len, || (), |(), i| f(i))
+    map_slow_with(len, LONG, || (), |(), i| f(i))
 }
 
-/// The same with something that is made now and then, and used for many items.
+/// The same with something that is made now and then, and used for many items, each worth so many short ones.
 pub(crate) fn map_slow_with<S, T: Send>(
     len: usize,
+    each: usize,
     make: impl Fn() -> S + Sync + Send,
     f: impl Fn(&mut S, usize) -> T + Sync + Send,
 ) -> Vec<T> {
-    with(len, len.saturating_mul(LONG), make, f)
+    with(len, len.saturating_mul(each), make, f)
 }
 
 /// The same where every single item is worth a thread.

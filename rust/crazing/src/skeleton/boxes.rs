@@ -7,10 +7,10 @@ use crate::graph::Point;
 const FAN: usize = 16;
 
 /// xmin, ymin, xmax, ymax.
-type Box = [f64; 4];
+pub(super) type Box = [f64; 4];
 
 /// Whether a disc and a box have a point in common.
-fn meets(disc: Disc, b: &Box) -> bool {
+pub(super) fn meets(disc: Disc, b: &Box) -> bool {
     let [x, y] = disc.centre;
     let (dx, dy) = ((b[0] - x).max(x - b[2]).max(0.0), (b[1] - y).max(y - b[3]).max(0.0));
     dx * dx + dy * dy <= disc.square_radius
@@ -60,7 +60,7 @@ impl Boxes {
     }
 }
 
-fn around_points(points: &[Point]) -> Box {
+pub(super) fn around_points(points: &[Point]) -> Box {
     points.iter().fold([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY], |b, p| {
         [b[0].min(p[0]), b[1].min(p[1]), b[2].max(p[0]), b[3].max(p[1])]
     })

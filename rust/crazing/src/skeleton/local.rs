@@ -18,6 +18,7 @@ use super::doors::Many;
 use super::flood::{Cells, Found};
 use super::links::links;
 use super::one_step::{one_step, opposite};
+use super::outer::Outer;
 use super::pencil::Pencil;
 use super::places::Places;
 use crate::diagram::DiagramView;
@@ -218,9 +219,15 @@ impl Edge {
         leaves_some(pencil, |disc, inside| cells.find::<NEAR>(self.k, disc, inside).known())
     }
 
-    /// The same among at most so many cells.
-    fn walk_far(&self, cells: &Cells<'_>, doors: &mut Many, most: usize) -> Option<bool> {
-        leaves_some(self.pencil(cells), |disc, inside| cells.find_far(self.k, disc, inside, (doors, most)).known())
+    /// The same among at most so many cells; not where the vertices beyond all sites tell.
+    fn walk_far(&self, cells: &Cells<'_>, outer: Option<&Outer>, doors: &mut Many, most: usize) -> Option<bool> {
+        leaves_some(self.pencil(cells), |disc, inside| {
+            let found = outer.and_then(|outer| outer.find(disc, inside));
+            if found.is_some() || outer.is_some_and(|outer| outer.is_all_in(disc)) {
+                return Some(found);
+            }
+            cells.find_far(self.k, disc, inside, (doors, most)).known()
+        })
     }
 
     /// The first answer: None when the neighbourhood is too large for it.
@@ -262,21 +269,24 @@ fn decide(
         hard
     });
     let mut hard = hard.concat();
-    let again = |hard: &mut Vec<usize>, decided: &mut [bool], answer: &Answer<'_>| {
+    let again = |hard: &mut Vec<usize>, decided: &mut [bool], each: usize, answer: &Answer<'_>| {
         let one = |doors: &mut Many, i: usize| edge(hard[i]).and_then(|edge| answer(&edge, doors));
-        let answers = parallel::map_slow_with(hard.len(), || cells.doors(), one);
+        let answers = parallel::map_slow_with(hard.len(), each, || cells.doors(), one);
         hard.iter().zip(&answers).for_each(|(&k, &kept)| decided[k] = kept == Some(true));
         let mut left = answers.iter().map(Option::is_none);
         hard.retain(|_| left.next() == Some(true));
     };
-    let mut most = NEAR * FARTHER;
+    let (mut most, mut outer) = (NEAR * FARTHER, None);
     while !hard.is_empty() && hard.len().saturating_mul(most) <= WALKED * rows {
-        again(&mut hard, &mut decided, &|edge, doors| edge.walk_far(cells, doors, most));
+        again(&mut hard, &mut decided, most, &|edge, doors| edge.walk_far(cells, outer.as_ref(), doors, most));
         most *= FARTHER;
+        if !hard.is_empty() {
+            outer = outer.or_else(|| Some(Outer::of(cells)));
+        }
     }
     if !hard.is_empty() {
         let places = Places::of(cells, hard.len() > FEW);
-        again(&mut hard, &mut decided, &|edge, _| {
+        again(&mut hard, &mut decided, cells.vertices.len(), &|edge, _| {
             leaves_some(edge.pencil(cells), |disc, inside| Some(places.find(disc, inside)))
         });
     }

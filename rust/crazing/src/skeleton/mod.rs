@@ -22,6 +22,7 @@ mod local;
 mod longest;
 mod nearest;
 mod one_step;
+mod outer;
 mod peel;
 mod pencil;
 mod places;
