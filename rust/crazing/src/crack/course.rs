@@ -107,6 +107,8 @@ pub fn course(
             (Trace { vertices: stage.vertices.to_vec(), starts, ends: None }, Runs::of(&stage.partner))
         }
     };
+    // What no step needs any more makes room: memory that was never used is slow to come by.
+    (stage.anchors, stage.kites, stage.turns, stage.partner) = Default::default();
     finished(stage.net(), trace, (runs, &stage.age), how.widths, watch)
 }
 

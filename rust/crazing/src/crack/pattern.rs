@@ -79,7 +79,7 @@ fn chains(net: NetView<'_>, partner: &[i32]) -> Vec<usize> {
 /// The same of edges that `starts` says the pieces of; `net` has the pieces. `ends` where it is known who meets where.
 fn looks_of(
     net: NetView<'_>,
-    (whole, ends): (NetView<'_>, Option<&Ends>),
+    (whole, ends): (NetView<'_>, Option<Ends>),
     starts: &[usize],
     (runs, age): (Runs, &[i32]),
     (profile, key): (Profile, Key),
@@ -88,7 +88,8 @@ fn looks_of(
     let mut widths = spans(net);
     watch.poll()?;
     let pieces = Pieces { starts, span: |piece: usize| widths[piece][0] };
-    let (mut strands, older) = of_pieces(whole, ends, runs, age, &pieces);
+    let (mut strands, older) = of_pieces(whole, ends.as_ref(), runs, age, &pieces);
+    drop(ends);
     watch.poll()?;
     let (generation, parent) = if profile.shrink == 1.0 {
         // One generation after the other, on one thread: widths that do not depend on it are found meanwhile.
@@ -103,7 +104,8 @@ fn looks_of(
         found
     };
     watch.poll()?;
-    let of_edge = strands.of_edge;
+    drop(older);
+    let of_edge = strands.into_of_edge();
     Ok(Looks {
         widths,
         strand: repeated(starts, |k| of_edge[k]),
@@ -124,7 +126,7 @@ pub(super) fn finished(
     let whole = NetView { vertices: &vertices[..net.vertices.len()], ..net };
     let (edges, shifts) = (pieces_of(net, &starts), shifts_of(net, &starts));
     let fine = NetView { vertices: &vertices, edges: &edges, shifts: &shifts, ..net };
-    let looks = looks_of(fine, (whole, ends.as_ref()), &starts, runs, widths, watch)?;
+    let looks = looks_of(fine, (whole, ends), &starts, runs, widths, watch)?;
     let mut net = Net { vertices, edges, shifts, period: net.period, cut: Vec::new() };
     net.wrap();
     Ok(Pattern { net, looks })

@@ -72,6 +72,11 @@ impl Strands {
         self.entries_of(self.run[strand] as usize)
     }
 
+    /// The strand of each edge; all else is let go.
+    pub(super) fn into_of_edge(self) -> Vec<i32> {
+        self.of_edge
+    }
+
     pub(super) fn entries_of(&self, run: usize) -> &[u32] {
         &self.entries[self.starts[run]..self.starts[run + 1]]
     }
