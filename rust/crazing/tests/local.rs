@@ -143,6 +143,19 @@ fn a_wheel_is_not_quadratic() {
 }
 
 #[test]
+fn an_open_arc_is_not_quadratic() {
+    // Nearly all vertices are about its centre, tens of thousands of them in one place, and those far out see all cells.
+    let n = 60_000;
+    let at = |i: usize| (i as f64 + 0.4 * (i as f64 * 2.4).sin()) / n as f64 * std::f64::consts::PI;
+    let mut points: Vec<Point> = (0..n).map(at).map(|t| [t.cos(), t.sin()]).collect();
+    points.extend([[1e9, 1e9], [-1e7, 3e9]]);
+    let d = of(&points);
+    let local = edge_filter(d.view()).unwrap();
+    let rim = d.edges.iter().zip(&local.crust).filter(|([p, q], kept)| **kept && p.abs_diff(*q) == 1);
+    assert_eq!(rim.filter(|(ends, _)| ends.iter().all(|&end| (end as usize) < n)).count(), n - 1);
+}
+
+#[test]
 fn every_sample_of_a_dense_flower_gets_its_two_edges() {
     // The shape on which triangulating the sites and vertices in floating point loses nine edges of ten.
     let n = 100_000;

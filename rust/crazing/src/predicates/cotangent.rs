@@ -69,6 +69,10 @@ pub fn in_pencil(p: Point, q: Point, v: Point, tau: f64, slack: f64) -> bool {
     if value.abs() > FILTER * (size_dot + (tau.abs() + slack) * size_cross) {
         return value < 0.0;
     }
+    // Coincident vertices stand in many places.
+    if v == p || v == q {
+        return false;
+    }
     let (dot, cross) = exact_apex(p, q, v);
     let tau = Expansion::difference(tau, slack * cross.sign());
     dot.minus(&tau.times(&cross)).sign() < 0.0

@@ -22,8 +22,13 @@ impl Places {
         let inside = |v: &Point| (0..2).all(|axis| low[axis] <= v[axis] && v[axis] <= high[axis]);
         let (near, far): (Vec<Point>, Vec<Point>) = cells.vertices.iter().partition(|&v| inside(v));
         let boxes = |points: Vec<Point>| {
-            let sorted = many.then(|| curve_order(&points).into_iter().map(|row| points[row as usize]).collect());
-            Boxes::new(sorted.unwrap_or(points))
+            if !many {
+                return Boxes::new(points);
+            }
+            let mut sorted: Vec<Point> = curve_order(&points).into_iter().map(|row| points[row as usize]).collect();
+            // About the centre of an arc, one vertex is that of very many triangles.
+            sorted.dedup();
+            Boxes::new(sorted)
         };
         Self { near: boxes(near), far: boxes(far), sites: boxes(cells.sites.to_vec()) }
     }
