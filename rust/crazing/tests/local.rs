@@ -156,6 +156,22 @@ fn an_open_arc_is_not_quadratic() {
 }
 
 #[test]
+fn a_lattice_whose_sides_are_nearly_straight_is_not_quadratic() {
+    // Slivers along its sides have vertices out at 1e17: the circles about these are lines for all the rest.
+    let g = 150;
+    let at = |i: usize| [(i % g) as f64 + 0.5 * (i / g) as f64, 0.8660254 * (i / g) as f64];
+    let d = of(&(0..g * g).map(at).collect::<Vec<Point>>());
+    let local = edge_filter(d.view()).unwrap();
+    let is_inner = |t: i32| {
+        let (v, p) = (d.vertices[t as usize], d.sites[d.triangles[t as usize][0] as usize]);
+        (v[0] - p[0]).hypot(v[1] - p[1]) < 1.0
+    };
+    let inner = d.dual_edges.iter().zip(&local.axis).filter(|(dual, _)| dual.iter().all(|&t| t != -1 && is_inner(t)));
+    let (count, kept) = inner.fold((0, 0), |(count, kept), (_, &axis)| (count + 1, kept + usize::from(axis)));
+    assert_eq!((count, kept), (3 * (g - 1) * (g - 1) - 2 * (g - 1), count));
+}
+
+#[test]
 fn every_sample_of_a_dense_flower_gets_its_two_edges() {
     // The shape on which triangulating the sites and vertices in floating point loses nine edges of ten.
     let n = 100_000;

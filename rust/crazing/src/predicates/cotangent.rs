@@ -60,6 +60,17 @@ impl Cotangent {
     }
 }
 
+/// The power of `v` with respect to the circle through `p` and `q` at `tau` (see [`in_pencil`]) is `v^2 + a v + c`, below
+/// zero inside: `a` and `c`, each exact but for the last bits.
+pub fn power(p: Point, q: Point, tau: f64) -> (Point, f64) {
+    let times_tau = |x: &Expansion| Expansion::difference(tau, 0.0).times(x);
+    let (sum, step) =
+        ([0, 1].map(|i| Expansion::difference(p[i], -q[i])), [0, 1].map(|i| Expansion::difference(p[i], q[i])));
+    let (dot, cross) = exact_apex(p, q, [0.0; 2]);
+    let a = [-sum[0].plus(&times_tau(&step[1])).estimate(), times_tau(&step[0]).minus(&sum[1]).estimate()];
+    (a, dot.minus(&times_tau(&cross)).estimate())
+}
+
 /// Whether `v` is inside the circle through `p` and `q` whose centre is `tau` half lengths of `pq` to the left of their
 /// middle, and by more than a tie: the cotangent of the angle `p v q` is beyond `tau` by more than `slack`. Exact.
 #[inline]

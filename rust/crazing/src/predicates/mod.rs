@@ -6,7 +6,7 @@
 mod cotangent;
 pub mod expansion;
 
-pub use cotangent::{Cotangent, in_pencil};
+pub use cotangent::{Cotangent, in_pencil, power};
 
 use crate::graph::Point;
 use expansion::{Expansion, two_sum};

@@ -1,5 +1,6 @@
 //! A tree of bounding boxes over points: is some point of a disc of a given kind?
 
+use super::circle::Circle;
 use super::disc::Disc;
 use crate::graph::Point;
 
@@ -36,14 +37,14 @@ impl Boxes {
         Self { points, levels }
     }
 
-    /// The first point found for which `wanted` holds; asked for points in the disc and some near it.
-    pub(super) fn find(&self, disc: Disc, wanted: impl Fn(Point) -> bool) -> Option<Point> {
+    /// The first point found that is inside a circle.
+    pub(super) fn find(&self, circle: &Circle<'_>) -> Option<Point> {
         let mut todo = Vec::with_capacity(64);
         if let Some(top) = self.levels.len().checked_sub(1) {
             todo.push((top, 0));
         }
         while let Some((level, index)) = todo.pop() {
-            if !meets(disc, &self.levels[level][index]) {
+            if !circle.meets(&self.levels[level][index]) {
                 continue;
             }
             let children = FAN * index..FAN * (index + 1);
@@ -51,7 +52,7 @@ impl Boxes {
                 todo.extend(children.take_while(|&child| child < self.levels[level - 1].len()).map(|c| (level - 1, c)));
             } else {
                 let leaf = &self.points[children.start..children.end.min(self.points.len())];
-                if let Some(&found) = leaf.iter().find(|&&point| wanted(point)) {
+                if let Some(&found) = leaf.iter().find(|&&point| circle.holds_one_of(point)) {
                     return Some(found);
                 }
             }

@@ -13,7 +13,7 @@
 //! tie: an interval shorter than 1e-9 half lengths of the edge, in which rounded vertices mean nothing, counts as kept.
 //! The one-step test, which is exact for the samples themselves, has the first word: no other edge is asked about.
 
-use super::disc::Disc;
+use super::circle::Circle;
 use super::doors::Many;
 use super::flood::{Cells, Found};
 use super::links::links;
@@ -216,17 +216,17 @@ impl Edge {
 
     /// Whether some of the circles that are left is empty, by walks among a few cells; None when they are more.
     fn walk(&self, cells: &Cells<'_>, pencil: Pencil) -> Option<bool> {
-        leaves_some(pencil, |disc, inside| cells.find::<NEAR>(self.k, disc, inside).known())
+        leaves_some(pencil, |circle| cells.find::<NEAR>(self.k, circle.disc, |v| circle.holds(v)).known())
     }
 
     /// The same among at most so many cells; not where the vertices beyond all sites tell.
     fn walk_far(&self, cells: &Cells<'_>, outer: Option<&Outer>, doors: &mut Many, most: usize) -> Option<bool> {
-        leaves_some(self.pencil(cells), |disc, inside| {
-            let found = outer.and_then(|outer| outer.find(disc, inside));
-            if found.is_some() || outer.is_some_and(|outer| outer.is_all_in(disc)) {
+        leaves_some(self.pencil(cells), |circle| {
+            let found = outer.and_then(|outer| outer.find(circle));
+            if found.is_some() || outer.is_some_and(|outer| outer.is_all_in(circle)) {
                 return Some(found);
             }
-            cells.find_far(self.k, disc, inside, (doors, most)).known()
+            cells.find_far(self.k, circle.disc, |v| circle.holds(v), (doors, most)).known()
         })
     }
 
@@ -287,7 +287,7 @@ fn decide(
     if !hard.is_empty() {
         let places = Places::of(cells, hard.len() > FEW);
         again(&mut hard, &mut decided, cells.vertices.len(), &|edge, _| {
-            leaves_some(edge.pencil(cells), |disc, inside| Some(places.find(disc, inside)))
+            leaves_some(edge.pencil(cells), |circle| Some(places.find(circle)))
         });
     }
     decided
@@ -302,16 +302,12 @@ fn touch(cells: &Cells<'_>, rows: impl Iterator<Item = usize>) {
 
 /// Cuts a pencil by the points that `find` finds in its circles until one is empty or none is left. `find` gives None
 /// when it cannot tell.
-fn leaves_some(
-    mut pencil: Pencil,
-    mut find: impl FnMut(Disc, &dyn Fn(Point) -> bool) -> Option<Option<Point>>,
-) -> Option<bool> {
+fn leaves_some(mut pencil: Pencil, mut find: impl FnMut(&Circle<'_>) -> Option<Option<Point>>) -> Option<bool> {
     for _ in 0..CUTS {
         if pencil.is_empty() {
             return Some(false);
         }
-        let tau = pencil.choose();
-        match find(pencil.disc(tau), &|v| pencil.holds(tau, v))? {
+        match find(&Circle::of(&pencil, pencil.choose()))? {
             None => return Some(true),
             Some(v) => pencil.cut(v),
         }

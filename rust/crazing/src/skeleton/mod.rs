@@ -6,6 +6,7 @@ mod boxes;
 mod branches;
 mod bumps;
 mod candidates;
+mod circle;
 mod corners;
 mod cost;
 mod curve;

@@ -3,8 +3,8 @@
 //! Cells that reach out there are open wedges, and a large disc meets very many of them: of a million sites on a flower
 //! twenty thousand, for one circle. All that can be in it is a vertex beyond the sites, and of these there are few.
 
-use super::boxes::{Box, Boxes, around_points, meets};
-use super::disc::Disc;
+use super::boxes::{Box, Boxes, around_points};
+use super::circle::Circle;
 use super::flood::Cells;
 use crate::graph::Point;
 use crate::parallel;
@@ -30,14 +30,14 @@ impl Outer {
         Self { frame, sides }
     }
 
-    /// The first of these vertices found for which `wanted` holds, among those in the disc and some near it.
-    pub(super) fn find(&self, disc: Disc, wanted: &dyn Fn(Point) -> bool) -> Option<Point> {
-        self.sides.iter().find_map(|boxes| boxes.find(disc, wanted))
+    /// The first of these vertices found that is inside a circle.
+    pub(super) fn find(&self, circle: &Circle<'_>) -> Option<Point> {
+        self.sides.iter().find_map(|boxes| boxes.find(circle))
     }
 
-    /// Whether a disc holds no site, nor any other vertex than these.
-    pub(super) fn is_all_in(&self, disc: Disc) -> bool {
-        !meets(disc, &self.frame)
+    /// Whether a circle holds no site, nor any other vertex than these.
+    pub(super) fn is_all_in(&self, circle: &Circle<'_>) -> bool {
+        !circle.meets(&self.frame)
     }
 }
 
@@ -48,8 +48,9 @@ mod tests {
     use crate::Watch;
     use crate::diagram::diagram;
     use crate::graph::Point;
-    use crate::skeleton::disc::Disc;
+    use crate::skeleton::circle::Circle;
     use crate::skeleton::flood::Cells;
+    use crate::skeleton::pencil::Pencil;
 
     #[test]
     fn finds_what_a_look_at_every_vertex_finds() {
@@ -67,13 +68,14 @@ mod tests {
         let (mut found, mut alone) = (0, 0);
         for i in 0..2000 {
             let (centre, radius) = ([at(i) * 6.0 - 2.5, at(i + 11) * 6.0 - 2.5], 2.0 * at(i + 5) * at(i + 6));
-            let disc = Disc::new(centre, radius * radius);
-            let is_wanted = |v: Point| disc.holds(disc.place(v));
+            let pencil = Pencil::new([centre[0] - radius, centre[1]], [centre[0] + radius, centre[1]]);
+            let circle = Circle::of(&pencil, 0.0);
+            let is_wanted = |v: Point| circle.holds(v);
             let held: Vec<Point> = d.vertices.iter().copied().filter(|&v| is_wanted(v)).collect();
-            let first = outer.find(disc, &is_wanted);
+            let first = outer.find(&circle);
             assert!(first.is_none_or(|v| held.contains(&v)));
             assert_eq!(first.is_some(), held.iter().any(beyond));
-            if outer.is_all_in(disc) {
+            if outer.is_all_in(&circle) {
                 assert_eq!(first.is_some(), !held.is_empty());
                 assert!(!d.sites.iter().any(|&p| is_wanted(p)));
                 alone += 1;

@@ -46,6 +46,11 @@ impl Pencil {
         }
     }
 
+    /// The points that all of its circles go through.
+    pub(super) fn ends(&self) -> [Point; 2] {
+        [self.p, self.q]
+    }
+
     /// A circle that is left: the smallest, if it is, else one in the middle.
     pub(super) fn choose(&self) -> f64 {
         let low = self.low.as_ref().map_or(f64::NEG_INFINITY, Cotangent::value);

@@ -1,7 +1,7 @@
 //! Sites and Voronoi vertices to be searched for what a disc holds, where walks from cell to cell are too long.
 
 use super::boxes::Boxes;
-use super::disc::Disc;
+use super::circle::Circle;
 use super::flood::Cells;
 use crate::diagram::curve_order;
 use crate::graph::Point;
@@ -33,8 +33,8 @@ impl Places {
         Self { near: boxes(near), far: boxes(far), sites: boxes(cells.sites.to_vec()) }
     }
 
-    pub(super) fn find(&self, disc: Disc, wanted: &dyn Fn(Point) -> bool) -> Option<Point> {
-        [&self.near, &self.far, &self.sites].into_iter().find_map(|boxes| boxes.find(disc, wanted))
+    pub(super) fn find(&self, circle: &Circle<'_>) -> Option<Point> {
+        [&self.near, &self.far, &self.sites].into_iter().find_map(|boxes| boxes.find(circle))
     }
 }
 
