@@ -13,9 +13,12 @@ from crazing import svg
 from crazing.contour import Contours
 from crazing.errors import CrazingError
 from crazing.extras import require
+from crazing.svg_path import subpaths
 
 #: Parts of a curved segment: the chord is then off by less than a thousandth of the segment, but at loops.
 PARTS = 32
+#: Of the largest coordinate of a path: far above the rounding of a sum of ten thousand steps, far below any drawing.
+_ROUNDING = 2.0**-40
 
 
 def spread(lines: Contours, n: int | None, spacing: float | None) -> NDArray[np.float64]:
@@ -47,31 +50,36 @@ def rings(lines: list[NDArray[np.float64]], closed: list[bool] | None = None) ->
 
 def svg_lines(source: str | os.PathLike[str] | bytes) -> Contours:
     """The sub-paths of path data, of an SVG file or of what one holds, y up."""
-    svgpathtools = require("svgpathtools", "svg")
+    require("svgpathtools", "svg")
     try:
         if isinstance(source, str) and source.lstrip()[:1] in ("M", "m"):
-            drawn = [(svgpathtools.parse_path(source), np.eye(3))]
+            drawn = [(*part, np.eye(3)) for part in subpaths(source)]
         else:
             # Opened here, so that a missing file is said to be missing.
             drawn = list(svg.shapes(source if isinstance(source, bytes) else Path(source).read_bytes()))
-        lines = [_flattened(part, matrix) for path, matrix in drawn for part in path.continuous_subpaths() if part]
+        lines = [_flattened(*part) for part in drawn]
     except OSError:
         raise
     except Exception as error:
-        # The parser raises whatever it stumbles over.
+        # The parsers raise whatever they stumble over.
         raise ValueError(f"source cannot be read as SVG: {error}") from None
     # With Z or without, a line that ends where it began is closed.
     shut = [bool((line[0] == line[-1]).all()) for line in lines]
     return rings(lines, shut)
 
 
-def _flattened(path: Any, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Points along a path, moved by a matrix, y up. What is moved are points: parts of a curve stay parts of it."""
-    points = [path[0].start]
-    for segment in path:
+def _flattened(segments: list[Any], closed: bool, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Points along a sub-path, moved by a matrix, y up. What is moved are points: parts of a curve stay parts of it."""
+    points = [segments[0].start]
+    for segment in segments:
         straight = type(segment).__name__ == "Line"
         inner = () if straight else (segment.point(i / PARTS) for i in range(1, PARTS))
         points += [*inner, segment.end]
+    # Steps from point to point add up to the start but for rounding; a side as short as that would cross others.
+    if len(points) > 2 and abs(points[-1] - points[0]) <= _ROUNDING * max(map(abs, points)):
+        points[-1] = points[0]
+    elif closed:
+        points.append(points[0])
     places = np.array(points, dtype=np.complex128)
     # What is not finite is named later.
     with np.errstate(over="ignore", invalid="ignore"):

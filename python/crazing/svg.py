@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 from xml.etree import ElementTree
 
@@ -10,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from crazing.extras import require
+from crazing.svg_path import NUMBER, subpaths
+from crazing.svg_shapes import SHAPES, Viewport, length, path_data
 
 #: Three by three, of points as columns (x, y, 1).
 Matrix: TypeAlias = NDArray[np.float64]
@@ -19,38 +22,51 @@ _HREFS = ("href", "{http://www.w3.org/1999/xlink}href")
 _GROUPS = ("svg", "g", "a", "switch", "symbol")
 #: Elements that are drawn: a file can ask for more than fit into any memory, by copies of copies.
 _MOST = 100_000
+#: Of the room that a view box leaves, how much is put before it.
+_PARTS = {"Min": 0.0, "Mid": 0.5, "Max": 1.0}
 
 
-def shapes(text: str | bytes) -> Iterator[tuple[Any, Matrix]]:
-    """Every path that a picture draws, as one of svgpathtools, and the matrix that takes it to the picture's units.
+@dataclass(frozen=True)
+class _Place:
+    """Where an element stands: its matrix, the size of the picture that it is in, and whether it can be seen.
 
-    In the order of the file. Groups, copies (`use`) and inner pictures are followed; definitions and what is not
-    displayed are left out.
+    `size` is what a copy says of the picture or the symbol that it is of, NaN where it says nothing.
     """
-    svgpathtools = require("svgpathtools", "svg")
+
+    matrix: Matrix
+    viewport: Viewport
+    is_visible: bool
+    size: tuple[float, float] = (np.nan, np.nan)
+
+
+def shapes(text: str | bytes) -> Iterator[tuple[list[Any], bool, Matrix]]:
+    """Every sub-path that a picture draws, whether it is closed, and the matrix that takes it to the picture's units.
+
+    In the order of the file, as `crazing.svg_path.subpaths` gives them. Groups, copies (`use`) and inner pictures are
+    followed; definitions and what is not displayed are left out.
+    """
     root = ElementTree.fromstring(text)
     named = {element.get("id"): element for element in root.iter() if element.get("id")}
     # Depth first; nesting is the file's choice, so not by recursion.
-    left = [(root, np.eye(3), True)]
+    left: list[tuple[ElementTree.Element, _Place | None]] = [(root, None)]
     seen = 0
     while left:
-        element, outer, is_root = left.pop()
+        element, outer = left.pop()
         seen += 1
         if seen > _MOST:
             raise ValueError(f"it draws more than {_MOST} elements")
         kind = _kind(element)
-        if _is_hidden(element):
+        place = _root(element) if outer is None else _placed(element, kind, outer)
+        if place is None:
             continue
-        own = svgpathtools.parser.parse_transform(element.get("transform", ""), strict=True)
-        matrix = outer @ own @ (np.eye(3) if is_root else _placed(element, kind))
-        if kind in svgpathtools.document.CONVERSIONS:
-            path = svgpathtools.parse_path(svgpathtools.document.CONVERSIONS[kind](element))
-            if len(path):
-                yield path, matrix
+        if kind in SHAPES and place.is_visible:
+            for segments, closed in subpaths(path_data(kind, element.attrib, place.viewport)):
+                yield segments, closed, place.matrix
         elif kind == "use":
-            left.append((_target(element, named), matrix, False))
+            left.append((_target(element, named), place))
         elif kind in _GROUPS:
-            left.extend((child, matrix, False) for child in reversed(element) if _kind(child) != "symbol")
+            inner = replace(place, size=_Place.size)
+            left.extend((child, inner) for child in reversed(element) if _kind(child) != "symbol")
 
 
 def _kind(element: ElementTree.Element) -> str:
@@ -58,9 +74,13 @@ def _kind(element: ElementTree.Element) -> str:
     return str(element.tag).rpartition("}")[2]
 
 
-def _is_hidden(element: ElementTree.Element) -> bool:
-    style = element.get("style", "").replace(" ", "")
-    return element.get("display") == "none" or "display:none" in style
+def _property(element: ElementTree.Element, name: str) -> str:
+    """What the element itself says of it; its style goes before its attributes."""
+    for part in element.get("style", "").split(";"):
+        key, _, value = part.partition(":")
+        if key.strip().lower() == name:
+            return value.partition("!")[0].strip().lower()
+    return element.get(name, "").strip().lower()
 
 
 def _target(element: ElementTree.Element, named: dict[str | None, ElementTree.Element]) -> ElementTree.Element:
@@ -70,17 +90,87 @@ def _target(element: ElementTree.Element, named: dict[str | None, ElementTree.El
     return named[wanted[1:]]
 
 
-def _placed(element: ElementTree.Element, kind: str) -> Matrix:
-    """Where a copy or an inner picture is put: moved by x and y, and a view box fitted into its width and height."""
-    if kind not in ("use", "svg"):
-        return np.eye(3)
-    size = [float(element.get(name, 0)) for name in ("x", "y", "width", "height")]
-    matrix = np.array([[1, 0, size[0]], [0, 1, size[1]], [0, 0, 1]])
-    box = element.get("viewBox")
-    if kind == "use" or box is None or not (size[2] > 0 and size[3] > 0):
-        return matrix
-    x, y, width, height = (float(number) for number in box.replace(",", " ").split())
-    # As large as fits, in the middle: what an SVG does when it says nothing else.
-    scale = min(size[2] / width, size[3] / height)
-    shift = [(size[2] - scale * width) / 2 - scale * x, (size[3] - scale * height) / 2 - scale * y]
-    return np.asarray(matrix @ [[scale, 0, shift[0]], [0, scale, shift[1]], [0, 0, 1]])
+def _transform(element: ElementTree.Element) -> Matrix:
+    library = require("svgpathtools", "svg")
+    # Numbers need no gap between them in a file, but in the library.
+    text = NUMBER.sub(r" \g<0> ", element.get("transform", ""))
+    return np.asarray(library.parser.parse_transform(text, strict=True))
+
+
+def _root(element: ElementTree.Element) -> _Place | None:
+    """The picture itself, whose units are those of its own view box."""
+    if _property(element, "display") == "none":
+        return None
+    box = _view_box(element)
+    size = _size(element, None) if box is None else (box[2], box[3])
+    return _Place(_transform(element), size if np.isfinite(size).all() else None, _is_visible(element, True))
+
+
+def _placed(element: ElementTree.Element, kind: str, outer: _Place) -> _Place | None:
+    """Where an element is put by its transform, a copy or an inner picture by its x and y too; None where nowhere."""
+    if _property(element, "display") == "none":
+        return None
+    matrix = outer.matrix @ _transform(element)
+    place = replace(outer, matrix=matrix, is_visible=_is_visible(element, outer.is_visible))
+    if kind not in ("use", "svg", "symbol"):
+        return place
+    x, y = (length(element.attrib, name, place.viewport) for name in ("x", "y"))
+    place = replace(place, matrix=matrix @ _affine((1.0, 1.0), (x, y)))
+    if kind == "use":
+        return replace(place, size=_size(element, place.viewport))
+    return _fitted(element, place)
+
+
+def _is_visible(element: ElementTree.Element, outer: bool) -> bool:
+    said = _property(element, "visibility")
+    return outer if said in ("", "inherit") else said == "visible"
+
+
+def _size(element: ElementTree.Element, viewport: Viewport) -> tuple[float, float]:
+    """Width and height, each NaN where it is not told, or is a part of what is not told."""
+    width, height = (
+        np.nan
+        if viewport is None and element.get(name, "").strip().endswith("%")
+        else length(element.attrib, name, viewport, np.nan)
+        for name in ("width", "height")
+    )
+    return width, height
+
+
+def _view_box(element: ElementTree.Element) -> tuple[float, float, float, float] | None:
+    """x, y, width and height; None where there are no such four."""
+    numbers = [float(number) for number in NUMBER.findall(element.get("viewBox", ""))]
+    return (numbers[0], numbers[1], numbers[2], numbers[3]) if len(numbers) == 4 else None
+
+
+def _affine(scale: tuple[float, float], shift: tuple[float, float]) -> Matrix:
+    return np.array([[scale[0], 0, shift[0]], [0, scale[1], shift[1]], [0, 0, 1]])
+
+
+def _fitted(element: ElementTree.Element, place: _Place) -> _Place | None:
+    """The inside of an inner picture or a symbol: its view box fitted into its width and height."""
+    whole = (np.nan, np.nan) if place.viewport is None else place.viewport
+    # What the copy says goes first; where nothing is said it is as large as the picture about it.
+    told = zip(place.size, _size(element, place.viewport), whole, strict=True)
+    width, height = (next((side for side in sides if not np.isnan(side)), np.nan) for sides in told)
+    box = _view_box(element)
+    if width <= 0 or height <= 0 or (box is not None and not (box[2] > 0 and box[3] > 0)):
+        return None
+    is_told = not np.isnan((width, height)).any()
+    if box is None:
+        return replace(place, viewport=(width, height) if is_told else None)
+    place = replace(place, viewport=(box[2], box[3]))
+    if not is_told:
+        return place
+    words = element.get("preserveAspectRatio", "").split()
+    across, up = width / box[2], height / box[3]
+    if "none" not in words:
+        across = up = max(across, up) if "slice" in words else min(across, up)
+    # xMinYMid and so on: where the rest of the room goes. In the middle where nothing is said.
+    align = next((word for word in words if word[:1] == "x" and len(word) == 8), "xMidYMid")
+    parts = (_PARTS.get(align[1:4], 0.5), _PARTS.get(align[5:], 0.5))
+    shift = (
+        parts[0] * (width - across * box[2]) - across * box[0],
+        parts[1] * (height - up * box[3]) - up * box[1],
+    )
+    return replace(place, matrix=place.matrix @ _affine((across, up), shift))
