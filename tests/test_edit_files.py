@@ -70,6 +70,46 @@ def test_forms_of_other_programs_are_read(content: bytes, wanted: list[list[floa
     assert exchange.load(content).tolist() == wanted
 
 
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"point id,x,y,z\n7,1,2.5,9\n8,3,4,9\n",
+        b"note,x,y,z\n,1,2.5,9\n,3,4,9\n",
+        b"name,x,y\nNew York,1,2.5\nRome,3,4\n",
+        b'name,x,y\n"Smith, J; 5",1,2.5\n"a ""b"", c",3,4\n',
+        b'"x","y"\n"1","2.5"\n"3","4"\n',
+        b'"1" "2.5"\n  3   "4"\n',
+        b"x\ty\n1,0\t2,5\n3,0\t4,0\n",
+        b"1,\t2,5\n\n3,\t4\n,,\n",
+        b"lat,long\n2.5,1\n4,3\n",
+        b"OBJECTID,POINT_X,POINT_Y\n7,1,2.5\n8,3,4\n",
+        "Größe,x,y\n7,1,2.5\n8,3,4\n".encode("latin-1"),
+    ],
+)
+def test_columns_are_those_that_the_names_say(content: bytes) -> None:
+    assert exchange.load(content).tolist() == [[1, 2.5], [3, 4]]
+
+
+@pytest.mark.parametrize(
+    ("content", "line"),
+    [
+        # Ways to write numbers that leave it open which these are.
+        (b"1,5 2,5\n3,5 4,5\n", 1),
+        (b"1 2, 3 4\n5 6, 7 8\n", 2),
+        (b"x,y\n1_0,2\n", 2),
+        # A line of numbers, one of them amiss, is no line of names.
+        (b"\t1\t2\n3\t4\n", 1),
+        (b"1.000,5;2\n3;4\n", 1),
+        (b"-,3\n1,2\n", 1),
+        (b"id,x,y\n1,,3\n", 2),
+        (b'"' + b"a" * 200_000 + b'",1\n', 1),
+    ],
+)
+def test_lines_that_are_no_two_numbers_are_named(content: bytes, line: int) -> None:
+    with pytest.raises(cz.CrazingError, match=f"line {line} is .*; two numbers are wanted"):
+        exchange.load(content)
+
+
 def npy(array: NDArray[Any]) -> bytes:
     file = io.BytesIO()
     np.save(file, array)
