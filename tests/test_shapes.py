@@ -221,3 +221,26 @@ def test_a_corner_that_touches_a_wall_parts_the_door_on_one_side_only() -> None:
         doors = np.array(doors_of(sites, [frame, DIAMOND + at])) / 9973.1
         lower = np.isclose(doors[:, 0], 0.5, atol=1e-3) & (doors[:, 1] < 0.5)
         np.testing.assert_allclose(doors[lower, 2], lengths, atol=1e-3)
+
+
+def test_geometries_in_arrays_of_any_kind_are_read() -> None:
+    class Column:
+        """As a column of GeoPandas: an array in its own right, of objects."""
+
+        def __init__(self, parts: list[Any]) -> None:
+            self.parts = parts
+
+        def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
+            return np.array(self.parts, dtype=object)
+
+    square = shapely.box(0, 0, 2, 3)
+    corners = cz.sample.from_polygon(square)
+    single = np.empty((), dtype=object)
+    single[()] = square
+    for form in (single, Column([square])):
+        np.testing.assert_array_equal(cz.sample.from_polygon(form), corners)
+    places = [shapely.Point(0, 0), shapely.Point(3, 0), shapely.Point(1, 2)]
+    assert cz.diagram(Column(places)) == cz.diagram([(0, 0), (3, 0), (1, 2)])
+    single[()] = single
+    with pytest.raises(TypeError, match=r"polygon is .*; a polygon, a ring or a list of them is wanted"):
+        cz.sample.from_polygon(single)

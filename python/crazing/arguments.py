@@ -49,6 +49,9 @@ def points_array(points: Any, name: str = "points") -> NDArray[np.float64]:
     """
     sites = getattr(points, "sites", None)
     points = sites if isinstance(sites, np.ndarray) else points
+    if hasattr(type(points), "__array__") and not isinstance(points, np.ndarray) and not _is_shape(points):
+        # A column of geometries is an array in its own right.
+        points = regular(points, name)
     if _is_shape(points) or _is_shape(_first(points)):
         points = list(positions(points, name))
     array = real_array(points, name)

@@ -43,10 +43,12 @@ def polygons(shape: Any, name: str) -> list[list[Ring]]:
     """
     if isinstance(shape, os.PathLike) or (isinstance(shape, str) and shape.lower().endswith(_ENDINGS)):
         shape = geojson(shape)
+    if isinstance(shape, np.ndarray) and shape.dtype.kind == "O" and not shape.ndim:
+        shape = shape.item()  # As NumPy wraps a single object.
     if _is_geometry(shape):
         return list(_of_geometry(shape, name))
     is_row = isinstance(shape, Sequence) and not isinstance(shape, (str, bytes, memoryview))
-    if not is_row and not hasattr(shape, "__array__"):
+    if not is_row and not np.ndim(shape if hasattr(shape, "__array__") else 0):
         raise TypeError(f"{name} is {found(shape)}; a polygon, a ring or a list of them is wanted")
     if not is_row:
         shape = np.asarray(shape)
