@@ -128,6 +128,24 @@ def test_what_is_seen_in_a_hidden_group_is_taken() -> None:
 
 
 @pytest.mark.parametrize(
+    ("inner", "count"),
+    [
+        # The box about an icon of Material Design.
+        ('<path d="M0 0h24v24H0z" fill="none"/>', 0),
+        ('<rect width="9" height="9" style="fill: none; stroke: none"/>', 0),
+        ('<g fill="none"><path d="M0 0H9V9z" stroke="transparent"/></g>', 0),
+        ('<g fill="none" stroke="red"><path d="M0 0H9V9z"/></g>', 3),
+        ('<g fill="none"><path d="M0 0H9V9z" style="stroke:#123"/></g>', 3),
+        ('<g fill="none"><path d="M0 0H9V9z" fill="url(#a)"/></g>', 3),
+        # The sheet may say that it has a stroke.
+        ('<style>.a{stroke:red}</style><path class="a" fill="none" d="M0 0H9V9z"/>', 3),
+    ],
+)
+def test_what_has_no_paint_is_not_displayed(inner: str, count: int) -> None:
+    assert len(points(f'{inner}<path d="M0 0H1V1"/>')) == 3 + count
+
+
+@pytest.mark.parametrize(
     ("transform", "wanted"),
     [
         ("translate(3-4)", [3, -4]),

@@ -22,20 +22,39 @@ _HREFS = ("href", "{http://www.w3.org/1999/xlink}href")
 _GROUPS = ("svg", "g", "a", "switch", "symbol")
 #: Elements that are drawn: a file can ask for more than fit into any memory, by copies of copies.
 _MOST = 100_000
+_NO_PAINT = {"none", "transparent"}
 #: Of the room that a view box leaves, how much is put before it.
 _PARTS = {"Min": 0.0, "Mid": 0.5, "Max": 1.0}
 
 
 @dataclass(frozen=True)
+class _Seen:
+    """What an element hands on to those in it of how they are drawn."""
+
+    visibility: str = "visible"
+    fill: str = "black"
+    stroke: str = "none"
+
+    def of(self, element: ElementTree.Element) -> _Seen:
+        """That of an element in this one."""
+        said = {name: _property(element, name) for name in ("visibility", "fill", "stroke")}
+        return replace(self, **{name: value for name, value in said.items() if value not in ("", "inherit")})
+
+    def is_drawn(self, *, has_sheet: bool) -> bool:
+        """Whether there is anything to see; a style sheet may give paint where the elements name none."""
+        return self.visibility == "visible" and (has_sheet or {self.fill, self.stroke} - _NO_PAINT != set())
+
+
+@dataclass(frozen=True)
 class _Place:
-    """Where an element stands: its matrix, the size of the picture that it is in, and whether it can be seen.
+    """Where an element stands: its matrix, the size of the picture that it is in, and how it is seen.
 
     `size` is what a copy says of the picture or the symbol that it is of, NaN where it says nothing.
     """
 
     matrix: Matrix
     viewport: Viewport
-    is_visible: bool
+    seen: _Seen
     size: tuple[float, float] = (np.nan, np.nan)
 
 
@@ -49,17 +68,19 @@ def shapes(text: str | bytes) -> Iterator[tuple[list[Any], bool, Matrix]]:
     named = {element.get("id"): element for element in root.iter() if element.get("id")}
     # Depth first; nesting is the file's choice, so not by recursion.
     left: list[tuple[ElementTree.Element, _Place | None]] = [(root, None)]
-    seen = 0
+    # Which rules are for which elements is not looked at.
+    has_sheet = any(_kind(element) == "style" for element in root.iter())
+    number = 0
     while left:
         element, outer = left.pop()
-        seen += 1
-        if seen > _MOST:
+        number += 1
+        if number > _MOST:
             raise ValueError(f"it draws more than {_MOST} elements")
         kind = _kind(element)
         place = _root(element) if outer is None else _placed(element, kind, outer)
         if place is None:
             continue
-        if kind in SHAPES and place.is_visible:
+        if kind in SHAPES and place.seen.is_drawn(has_sheet=has_sheet):
             for segments, closed in subpaths(path_data(kind, element.attrib, place.viewport)):
                 yield segments, closed, place.matrix
         elif kind == "use":
@@ -103,7 +124,7 @@ def _root(element: ElementTree.Element) -> _Place | None:
         return None
     box = _view_box(element)
     size = _size(element, None) if box is None else (box[2], box[3])
-    return _Place(_transform(element), size if np.isfinite(size).all() else None, _is_visible(element, True))
+    return _Place(_transform(element), size if np.isfinite(size).all() else None, _Seen().of(element))
 
 
 def _placed(element: ElementTree.Element, kind: str, outer: _Place) -> _Place | None:
@@ -111,7 +132,7 @@ def _placed(element: ElementTree.Element, kind: str, outer: _Place) -> _Place | 
     if _property(element, "display") == "none":
         return None
     matrix = outer.matrix @ _transform(element)
-    place = replace(outer, matrix=matrix, is_visible=_is_visible(element, outer.is_visible))
+    place = replace(outer, matrix=matrix, seen=outer.seen.of(element))
     if kind not in ("use", "svg", "symbol"):
         return place
     x, y = (length(element.attrib, name, place.viewport) for name in ("x", "y"))
@@ -119,11 +140,6 @@ def _placed(element: ElementTree.Element, kind: str, outer: _Place) -> _Place | 
     if kind == "use":
         return replace(place, size=_size(element, place.viewport))
     return _fitted(element, place)
-
-
-def _is_visible(element: ElementTree.Element, outer: bool) -> bool:
-    said = _property(element, "visibility")
-    return outer if said in ("", "inherit") else said == "visible"
 
 
 def _size(element: ElementTree.Element, viewport: Viewport) -> tuple[float, float]:
