@@ -195,6 +195,15 @@ def test_a_view_box_keeps_its_ratio_as_it_is_told_to(inner: str, wanted: list[fl
     assert box(f"<svg {ratio}>{SQUARE}</svg>", 'viewBox="0 0 20 10"') == pytest.approx(np.array(wanted) - [1, 2, 1, 2])
 
 
+@pytest.mark.parametrize("name", ["map.svg", "m1.svg", "Maze.SVG"])
+def test_a_name_that_begins_with_m_is_no_path_data(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(FileNotFoundError):
+        cz.sample.from_svg(name)
+    Path(name).write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H4"/></svg>')
+    assert cz.sample.from_svg(name).tolist() == [[0, 0], [4, 0]]
+
+
 @pytest.mark.parametrize(
     ("inner", "message"),
     [

@@ -52,7 +52,8 @@ def svg_lines(source: str | os.PathLike[str] | bytes) -> Contours:
     """The sub-paths of path data, of an SVG file or of what one holds, y up."""
     require("svgpathtools", "svg")
     try:
-        if isinstance(source, str) and source.lstrip()[:1] in ("M", "m"):
+        # Files are called map.svg, too; data has no such end.
+        if isinstance(source, str) and source.lstrip()[:1] in ("M", "m") and not source.lower().endswith(".svg"):
             drawn = [(*part, np.eye(3)) for part in subpaths(source)]
         else:
             # Opened here, so that a missing file is said to be missing.

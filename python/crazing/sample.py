@@ -440,9 +440,9 @@ def from_svg(source: str | os.PathLike[str], *, n: int | None = None, spacing: f
     source : str or path-like
         The path of an .svg file, whose paths and basic shapes are taken where `transform` attributes of their own,
         of groups, of copies (`use`) and of inner pictures put them, definitions and what is not displayed left out
-        (hidden, or without fill and stroke, as the box about many icons); or path data, which begins with M or m.
-        Style sheets and clip paths are not read: with a style sheet, what has no fill and stroke is taken too. Lengths
-        may have a unit, of 96 to the inch, or be a part (%) of the picture they are in.
+        (hidden, or without fill and stroke, as the box about many icons); or path data: a string that begins with M or
+        m and does not end in .svg. Style sheets and clip paths are not read: with a style sheet, what has no fill and
+        stroke is taken too. Lengths may have a unit, of 96 to the inch, or be a part (%) of the picture they are in.
     n, spacing
         As for `from_image`, the spacing in the units of the picture, those of its own view box. Without either: the
         ends of all segments, and 31 points within every curved one.
