@@ -172,6 +172,15 @@ def test_what_is_no_picture(tmp_path, content) -> None:
         read_image(path)
 
 
+@pytest.mark.parametrize(("kind", "shape"), [("f8", (4, 5)), ("f2", (4, 5)), ("u8", (4, 5)), ("f4", (4, 5, 3))])
+def test_a_tiff_of_another_kind_is_called_one(tmp_path, kind, shape) -> None:
+    tifffile = pytest.importorskip("tifffile")
+    path = tmp_path / "heights.tif"
+    tifffile.imwrite(path, np.ones(shape, kind), photometric="rgb" if len(shape) == 3 else "minisblack")
+    with pytest.raises(CrazingError, match=r"heights\.tif is a TIFF that is .* of a kind that is not read; .*float32"):
+        read_image(path)
+
+
 @pytest.mark.parametrize("kind", ["PPM", "TGA", "ICO"])
 def test_other_formats_are_refused(tmp_path, kind) -> None:
     path = tmp_path / "picture.png"

@@ -76,8 +76,7 @@ def read_image(path: str | os.PathLike[str] | BinaryIO) -> NDArray[Any]:
         except (CrazingError, MemoryError):
             raise
         except library.UnidentifiedImageError:
-            wanted = "PNG, JPEG, TIFF, BMP, GIF or WebP is wanted"
-            raise CrazingError(f"{name} is not a readable picture; {wanted}") from None
+            raise CrazingError(f"{name} {_unreadable(stream)}") from None
         except Exception as error:  # Decoders of damaged files raise whatever their parsing runs into.
             if isinstance(error, OSError) and error.errno is not None:
                 raise
@@ -116,6 +115,19 @@ _our_limit = _Limit()
 def _called(file: BinaryIO) -> str:
     name = getattr(file, "name", None)
     return name if isinstance(name, str) else "the picture"
+
+
+def _unreadable(stream: BinaryIO) -> str:
+    """Why a file is no picture for us, and what is."""
+    head = b""
+    with contextlib.suppress(OSError):
+        stream.seek(0)
+        head = stream.read(4)
+    if head in (b"II*\0", b"MM\0*"):
+        # What science writes, as doubles or float colours, is a TIFF all the same.
+        wanted = "one number a pixel of 1, 8 or 16 bits, int32 or float32, or colours of 8 or 16 bits, are wanted"
+        return f"is a TIFF that is damaged or of a kind that is not read; {wanted}"
+    return "is not a readable picture; PNG, JPEG, TIFF, BMP, GIF or WebP is wanted"
 
 
 def _opened(path: str | os.PathLike[str] | BinaryIO) -> contextlib.AbstractContextManager[BinaryIO]:
