@@ -199,6 +199,16 @@ def test_drawings_in_any_encoding(tmp_path: Path) -> None:
         np.testing.assert_array_equal(cz.sample.from_svg(path), expected)
 
 
+def test_drawings_whose_names_have_a_prefix(tmp_path: Path) -> None:
+    path = tmp_path / "prefixed.svg"
+    path.write_text(f'<svg:svg xmlns:svg="http://www.w3.org/2000/svg"><svg:path d="{RING}"/></svg:svg>')
+    plain = tmp_path / "plain.svg"
+    plain.write_text(f'<svg xmlns="http://www.w3.org/2000/svg"><path d="{RING}"/></svg>')
+    for source in (path, plain):
+        assert run("skeleton", source, "-o", source.with_suffix(".geojson")).exit_code == 0
+    assert path.with_suffix(".geojson").read_bytes() == plain.with_suffix(".geojson").read_bytes()
+
+
 def test_a_drawing_without_end_is_one_line(tmp_path: Path) -> None:
     path = tmp_path / "far.svg"
     path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L1e999 0L10 10Z"/></svg>')

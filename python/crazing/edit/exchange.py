@@ -30,6 +30,9 @@ _PICTURES = (b"\x89PNG", b"\xff\xd8\xff", b"II*\0", b"MM\0*", b"BM", b"GIF8", b"
 #: Marks the group of an SVG that holds points, one circle each.
 _GROUP = "crazing-points"
 
+# With a prefix, as programs write it that give every name one.
+_DRAWING = re.compile(rb"<(\w+:)?svg\b")
+
 _NPY = b"\x93NUMPY"
 
 
@@ -107,7 +110,7 @@ def load(content: bytes) -> Points:
 def is_foreign_svg(content: bytes) -> bool:
     """Whether this is an SVG without points of ours: a drawing, whose contour can be traced."""
     head = content.lstrip(b"\xef\xbb\xbf \t\r\n")
-    return head.startswith(b"<") and b"<svg" in head and _GROUP.encode() not in head
+    return head.startswith(b"<") and _DRAWING.search(head) is not None and _GROUP.encode() not in head
 
 
 def is_geojson(content: bytes) -> bool:
