@@ -179,7 +179,9 @@ def poisson_disk(
     period: ArrayLike | None = None,
     rng: RNG = None,
 ) -> Points:
-    """Points no nearer to each other than a radius, as many as fit: evenly spread, and yet in no order.
+    """Points no nearer to each other than a radius, nearly as many as fit: evenly spread, and yet in no order.
+
+    About every point 30 places for a next are tried: here and there room for one more may be left.
 
     Parameters
     ----------
