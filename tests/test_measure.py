@@ -249,6 +249,12 @@ def test_spurs_are_cut_and_lines_at_the_edge_are_not() -> None:
     assert cut.components == 2
 
 
+def test_a_vertex_without_an_edge_changes_nothing() -> None:
+    graph = cz.crack(n=60, rng=2).graph
+    more = Graph(np.vstack([graph.vertices, [(-5.2, -4.7), (9.1, 3.3)]]), graph.edges)
+    assert cz.measure(more) == cz.measure(graph)
+
+
 def test_dark_cracks_and_levels() -> None:
     grey = np.where(stamp(cz.crack(n=40, rng=2), 200), 30, 220).astype(np.uint8)
     assert cz.measure(grey, dark=True) == cz.measure(255 - grey)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -61,6 +63,35 @@ def test_cells_of_a_connected_pattern_share_out_the_period(how) -> None:
         # Euler on a torus: vertices - edges + cells = 0.
         assert found.loops == found.cells + 1
         assert found.length == pytest.approx(np.hypot(*(c.segments[:, 1] - c.segments[:, 0]).T).sum())
+
+
+def boxes_by_points(drawing: cz.PlanarGraph, corner: np.ndarray, size: np.ndarray, smallest: float) -> float:
+    """Slope of log boxes over log size, of points a hundredth of the smallest box apart on every edge."""
+    ends = drawing.segments - corner
+    near = ((ends.max(axis=1) >= 0) & (ends.min(axis=1) <= size)).all(axis=1)
+    steps = [np.linspace(0, 1, 2 + int(100 * np.hypot(*(b - a)) / smallest))[:, None] for a, b in ends[near]]
+    points = np.concatenate([a + step * (b - a) for step, (a, b) in zip(steps, ends[near], strict=True)])
+    counts = []
+    for side in smallest * 2.0 ** np.arange(5):
+        met = np.floor(points / side)
+        whole = ((met >= 0) & ((met + 1) * side <= size)).all(axis=1)
+        counts.append(len(np.unique(met[whole] @ (1, 1j))))
+    return float(-np.polyfit(np.arange(5), np.log2(counts), 1)[0])
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_boxes_are_those_of_one_period_whichever_way_edges_run(seed: int) -> None:
+    c = cz.crack(n=40, period=PERIOD, opening=0.5, rng=seed)
+    found = cz.measure(c)
+    lowest, period = c.graph.vertices[np.unique(c.graph.edges)].min(axis=0), np.array(PERIOD)
+    by_points = boxes_by_points(unwrapped(c), lowest + period, period, found.segment_length / 16)
+    # A box that an edge only just clips may lie between two points.
+    assert found.box_dimension == pytest.approx(by_points, abs=2e-3)
+    turned = np.random.default_rng(seed).random(len(c.graph.edges)) < 0.5
+    edges = np.where(turned[:, None], c.graph.edges[:, ::-1], c.graph.edges)
+    shifts = np.where(turned[:, None], -c.shifts, c.shifts)
+    same = dataclasses.replace(c, graph=cz.PlanarGraph(c.graph.vertices, edges), shifts=shifts)
+    assert cz.measure(same).box_dimension == found.box_dimension
 
 
 def test_what_goes_round_the_torus_closes_no_cell() -> None:

@@ -5,26 +5,62 @@ use crate::graph::Point;
 use crate::parallel;
 
 /// Slope of log number over log size, for `levels` sizes from `smallest`, each twice the one before. Boxes stand from
-/// the lower left `corner` on; those that do not lie whole within `size` of it are left out.
+/// the lower left of the bounds, of the drawing where it has none; those that do not lie whole within the bounds, or
+/// within one period, are left out.
 ///
 /// # Source
 /// Falconer: Fractal Geometry, section 3.1.
-pub(super) fn dimension(drawing: &Drawing<'_>, corner: Point, size: Point, smallest: f64, levels: usize) -> f64 {
-    let far = drawing.vertices.iter().fold([0.0_f64; 2], |far, p| [0, 1].map(|i| far[i].max(p[i] - corner[i])));
-    let counts = match Grid::new([0, 1].map(|i| far[i].min(size[i]) / smallest), drawing.edges.len()) {
+pub(super) fn dimension(drawing: &Drawing<'_>, smallest: f64, levels: usize) -> f64 {
+    let (corner, size) = window(drawing);
+    let far = [0, 1].map(|i| ends(drawing, i).fold(0.0_f64, |far, x| far.max(x - corner[i])));
+    let reach = if on_torus(drawing) { size } else { [0, 1].map(|i| far[i].min(size[i])) };
+    let counts = match Grid::new(reach.map(|x| x / smallest), drawing.edges.len()) {
         Some(grid) => dense(drawing, corner, size.map(|x| x / smallest), smallest, levels, grid),
         None => sparse(drawing, corner, size.map(|x| x / smallest), smallest, levels),
     };
     slope(&counts)
 }
 
+fn on_torus(drawing: &Drawing<'_>) -> bool {
+    !drawing.shifts.is_empty()
+}
+
+/// One coordinate of both ends of every edge: a vertex without one is not drawn.
+fn ends(drawing: &Drawing<'_>, i: usize) -> impl Iterator<Item = f64> {
+    drawing.edges.iter().flatten().map(move |&end| drawing.vertices[end as usize][i])
+}
+
+/// Lower left corner and size of where boxes stand.
+fn window(drawing: &Drawing<'_>) -> (Point, Point) {
+    let lowest = [0, 1].map(|i| ends(drawing, i).fold(f64::INFINITY, f64::min));
+    match drawing.bounds {
+        Some([xmin, ymin, xmax, ymax]) => ([xmin, ymin], [xmax - xmin, ymax - ymin]),
+        None if on_torus(drawing) => (lowest, drawing.period),
+        None => (lowest, [f64::INFINITY; 2]),
+    }
+}
+
 /// Calls `visit` with column and row of every box that an edge passes, some of them often.
 fn passed(drawing: &Drawing<'_>, corner: Point, smallest: f64, mut visit: impl FnMut([i64; 2])) {
     for k in 0..drawing.edges.len() {
-        let from = drawing.vertices[drawing.edges[k][0] as usize];
+        let vertex = drawing.vertices[drawing.edges[k][0] as usize];
         let way = drawing.step(2 * k as u32);
-        crossed([0, 1].map(|i| (from[i] - corner[i]) / smallest), way.map(|x| x / smallest), &mut visit);
+        for from in copies(drawing, [0, 1].map(|i| vertex[i] - corner[i]), way) {
+            crossed(from.map(|x| x / smallest), way.map(|x| x / smallest), &mut visit);
+        }
     }
+}
+
+/// Where an edge begins: once, or, on a torus, for every period that it runs through, so that what leaves one side
+/// comes in at the other.
+fn copies(drawing: &Drawing<'_>, from: Point, way: Point) -> impl Iterator<Item = Point> {
+    let period = if on_torus(drawing) { drawing.period } else { [f64::INFINITY; 2] };
+    let turns = |x: f64, i: usize| if period[i].is_finite() { (x / period[i]).floor() as i64 } else { 0 };
+    let first = [0, 1].map(|i| turns(from[i], i));
+    let last = [0, 1].map(|i| turns(from[i] + way[i], i));
+    let range = move |i: usize| first[i].min(last[i])..=first[i].max(last[i]);
+    let place = move |x: f64, turn: i64, i: usize| if turn == 0 { x } else { x - turn as f64 * period[i] };
+    range(0).flat_map(move |x| range(1).map(move |y| [place(from[0], x, 0), place(from[1], y, 1)]))
 }
 
 /// Numbers of boxes by sorting them.

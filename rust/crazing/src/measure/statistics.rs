@@ -200,12 +200,7 @@ impl Picture<'_> {
         let lag = if self.gauge.lag > 0.0 { self.gauge.lag } else { unit / 20.0 };
         let size = if self.gauge.box_size > 0.0 { self.gauge.box_size } else { unit / 16.0 };
         let sane = unit > 0.0;
-        let lowest = |i: usize| self.drawing.vertices.iter().map(|p| p[i]).fold(f64::INFINITY, f64::min);
-        let (corner, whole) = match self.drawing.bounds {
-            Some([xmin, ymin, xmax, ymax]) => ([xmin, ymin], [xmax - xmin, ymax - ymin]),
-            None => ([lowest(0), lowest(1)], [f64::INFINITY; 2]),
-        };
-        let dimension = if sane { boxes::dimension(self.drawing, corner, whole, size, LEVELS) } else { f64::NAN };
+        let dimension = if sane { boxes::dimension(self.drawing, size, LEVELS) } else { f64::NAN };
         let rough: Vec<f64> = LAGS.iter().map(|times| self.roughness(times * lag)).filter(|x| x.is_finite()).collect();
         Ok(vec![
             ("orientation", orientation.order()),
