@@ -202,8 +202,8 @@ def as_mask(picture: ArrayLike, *, level: float = 0.5, dark: bool = False) -> ND
     Parameters
     ----------
     picture : (H, W) or (H, W, 3 or 4) array_like
-        Bool, integers or floats. Integers none of which is above 1 are a mask already: 1 is crack, whatever `level`
-        is.
+        Bool, integers or floats. Integers that are all 0 or 1 are a mask already: 1 is crack, whatever `level` is.
+        Others are a part of the largest number of their dtype, so that of 32 or 64 bits they must reach beyond 65,535.
     level : float, optional
         Brightness, 0 to 1, above which there is crack.
     dark : bool, optional
@@ -217,7 +217,7 @@ def as_mask(picture: ArrayLike, *, level: float = 0.5, dark: bool = False) -> ND
     Raises
     ------
     TypeError, ValueError
-        If the picture has another shape or dtype, or no pixel.
+        If the picture has another shape or dtype, or no pixel, or holds numbers of 8 or 16 bits in a wider dtype.
 
     Examples
     --------
@@ -231,9 +231,16 @@ def as_mask(picture: ArrayLike, *, level: float = 0.5, dark: bool = False) -> ND
     if isinstance(picture, (str, os.PathLike)):
         raise TypeError(f"mask is {os.fspath(picture)!r}; pixels are wanted: crazing.images.read_image reads a file")
     array = arguments.regular(picture, "mask")
-    if array.ndim == 2 and array.size and array.dtype.kind in "iu" and array.min() >= 0 and array.max() <= 1:
-        array = array.astype(bool)
-        level = 0.5
+    if array.size and array.dtype.kind in "iu":
+        low, high = int(array.min()), int(array.max())
+        if low >= 0 and high <= 1:
+            array, level = array.astype(bool), 0.5
+        elif array.dtype.itemsize > 2 and high <= 0xFFFF:
+            # As np.where(crack, 255, 0) gives it: white would be billions, and nothing crack.
+            raise ValueError(
+                f"mask has numbers from {low} to {high} of {array.dtype}, whose white is {np.iinfo(array.dtype).max}; "
+                "bools, or numbers of 8 or 16 bits, are wanted"
+            )
     bright = brightness(array, "mask") > level
     if not bright.size:
         raise ValueError(f"mask has shape {bright.shape}; one pixel or more is wanted")
