@@ -255,6 +255,14 @@ def test_a_vertex_without_an_edge_changes_nothing() -> None:
     assert cz.measure(more) == cz.measure(graph)
 
 
+def test_a_target_of_nothing_at_all_is_missed_by_something() -> None:
+    grid = cz.measure(lattice([(1, 0), (0, 1)], 6))
+    tree = {"loops_per_junction": (0.0, 0.0)}
+    assert grid.deviations(tree) == {"loops_per_junction": math.inf} and grid.score(tree) == 4
+    assert grid.score({"i_nodes": (0.0, 0.0)}) == 0
+    assert math.isnan(grid.width_ratio) and grid.deviations({"width_ratio": (0.0, 0.0)}) == {}
+
+
 def test_dark_cracks_and_levels() -> None:
     grey = np.where(stamp(cz.crack(n=40, rng=2), 200), 30, 220).astype(np.uint8)
     assert cz.measure(grey, dark=True) == cz.measure(255 - grey)

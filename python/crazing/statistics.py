@@ -233,7 +233,8 @@ class CrackStatistics(Record):
         Parameters
         ----------
         targets : mapping of str to (mean, standard deviation), or Targets
-            By name or symbol; others are passed over. A deviation below 12 % of the mean counts as that.
+            By name or symbol; others are passed over. A deviation below 12 % of the mean counts as that. Of a target
+            of 0 without deviation all else is infinitely far.
 
         Returns
         -------
@@ -257,7 +258,7 @@ class CrackStatistics(Record):
             pair = targets.get(name, targets.get(SYMBOLS.get(name, name)))
             if pair is not None:
                 mean, spread = _pair(name, pair)
-                found[name] = (value - mean) / (max(spread, LEAST_DEVIATION * abs(mean)) or math.inf)
+                found[name] = _apart(value - mean, max(spread, LEAST_DEVIATION * abs(mean)))
         return {name: value for name, value in found.items() if not math.isnan(value)}
 
     def score(self, targets: Mapping[str, Target] | Measured) -> float:
@@ -321,6 +322,12 @@ def _pair(name: str, pair: Any) -> tuple[float, float]:
     except (TypeError, ValueError):
         raise ValueError(f"targets[{name!r}] is {pair!r}; a mean and a standard deviation are wanted") from None
     return mean, spread
+
+
+def _apart(difference: float, deviation: float) -> float:
+    if deviation == 0:
+        return difference * math.inf if difference else 0.0
+    return difference / deviation
 
 
 def _text(value: float) -> str:
