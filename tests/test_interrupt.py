@@ -10,6 +10,7 @@ import textwrap
 import threading
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -62,6 +63,24 @@ def test_ctrl_c_stops_the_call_and_spares_the_process(name: str) -> None:
     assert word == "stopped"
     # The promise is a second; a loaded machine is given five.
     assert float(stopped) - sent < 5
+
+
+@pytest.mark.skipif(os.name == "nt", reason="SIGINT cannot be sent to one process on Windows")
+def test_ctrl_c_stops_threads_that_make_pictures(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "crazing", "dataset", "-n", "4", "--size", "5000", "--preset", "glaze"]
+    with subprocess.Popen([*command, "--threads", "2", "--seed", "1", "-o", tmp_path / "a"]) as child:
+        while not (tmp_path / "a" / "dataset.json").exists():
+            time.sleep(0.05)
+        time.sleep(1.0)
+        sent = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        try:
+            # Making the two that are under way takes many times that.
+            assert child.wait(timeout=60) == 130
+        finally:
+            child.kill()
+    assert time.monotonic() - sent < 5
+    assert not list((tmp_path / "a").rglob("*.png")) and not list((tmp_path / "a").rglob(".tmp-*"))
 
 
 def test_other_threads_run_while_rust_works(rng: np.random.Generator) -> None:

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import os
+import threading
 from collections.abc import Callable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from itertools import islice
@@ -126,7 +127,8 @@ def _make(
 ) -> None:
     """A few more pictures than workers are under way at a time, however many there are."""
     left, done = iter(wanted), dataset.n - len(wanted)
-    with ThreadPoolExecutor(workers) as pool:
+    stop = threading.Event()
+    with ThreadPoolExecutor(workers, initializer=_heed, initargs=(stop,)) as pool:
         pending: set[Future[None]] = set()
         try:
             while True:
@@ -141,7 +143,13 @@ def _make(
                     if progress is not None:
                         progress(done, dataset.n)
         finally:
+            stop.set()
             pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _heed(stop: threading.Event) -> None:
+    """Lets the core end its work for this thread when `stop` is set: signals do not reach it."""
+    vars(threading.current_thread())["crazing_stop"] = stop
 
 
 def _save(dataset: Dataset, root: Path, index: int) -> None:

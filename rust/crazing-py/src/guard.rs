@@ -27,20 +27,38 @@ const LOOK: Duration = Duration::from_millis(50);
 /// Bytes handed to Python at once.
 const CHUNK: usize = 1 << 20;
 
-/// Runs `work` without the interpreter. `work` stops soon after a signal handler raises.
+/// Where a thread of Python's carries the `threading.Event` that stops it: signals reach only the main thread.
+const STOP: &str = "crazing_stop";
+
+/// Raises if a signal handler does, or if the event of the calling thread is set.
+fn go_on(py: Python<'_>, stop: Option<&Py<PyAny>>) -> PyResult<()> {
+    py.check_signals()?;
+    match stop {
+        Some(event) if event.call_method0(py, "is_set")?.is_truthy(py)? => Err(PyKeyboardInterrupt::new_err(())),
+        _ => Ok(()),
+    }
+}
+
+fn stop_of_thread(py: Python<'_>) -> PyResult<Option<Py<PyAny>>> {
+    let thread = py.import("threading")?.call_method0("current_thread")?;
+    Ok(thread.getattr_opt(STOP)?.map(Bound::unbind))
+}
+
+/// Runs `work` without the interpreter. `work` stops soon after a signal handler raises, or the thread is told to.
 pub(crate) fn detached<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(Watch<'_>) -> crazing::Result<T> + Send,
 ) -> PyResult<T> {
     let raised: Mutex<Option<PyErr>> = Mutex::new(None);
     let looked = Mutex::new(Instant::now());
-    let go_on = || {
+    let stop = stop_of_thread(py)?;
+    let look = || {
         let Ok(mut last) = looked.try_lock() else { return true };
         if last.elapsed() < LOOK {
             return true;
         }
         *last = Instant::now();
-        match Python::attach(|py| py.check_signals()) {
+        match Python::attach(|py| go_on(py, stop.as_ref())) {
             Ok(()) => true,
             Err(error) => {
                 if let Ok(mut slot) = raised.lock() {
@@ -50,7 +68,7 @@ pub(crate) fn detached<T: Send>(
             }
         }
     };
-    let whole = || crazing::in_one_pool(|| work(Watch::new(&go_on)));
+    let whole = || crazing::in_one_pool(|| work(Watch::new(&look)));
     let outcome = py.detach(|| catch_unwind(AssertUnwindSafe(whole)));
     match outcome {
         Ok(Ok(value)) => Ok(value),
