@@ -157,6 +157,48 @@ def test_what_is_missing_is_made_again(tmp_path: Path) -> None:
     assert files(tmp_path) == before
 
 
+def test_a_smaller_one_forgets_no_picture(tmp_path: Path) -> None:
+    options = {"presets": "rock", "size": 16, "rng": 6}
+    cz.dataset(5, **options).write(tmp_path)
+    before = files(tmp_path)
+    assert cz.dataset(2, **options).write(tmp_path) == 0
+    assert files(tmp_path) == before
+    # The last is gone: the folder says no more of it.
+    split = cz.dataset(5, **options).drawn(4)["split"]
+    (tmp_path / split / "images" / "000004.png").unlink()
+    cz.dataset(2, **options).write(tmp_path)
+    assert json.loads((tmp_path / "dataset.json").read_text())["parameters"]["n"] == 4
+    with (tmp_path / "images.csv").open() as file:
+        told = [line["file"] for line in csv.DictReader(file)]
+    assert sorted(told) == sorted(p.relative_to(tmp_path).as_posix() for p in tmp_path.glob("*/images/*"))
+
+
+def test_a_killed_process_leaves_nothing_among_the_pictures(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without the renaming, as if killed just before it, and with nobody there to take anything away."""
+    data = cz.dataset(1, size=16, labels=LABELS, rng=6)
+
+    def killed(*_: object) -> None:
+        raise RuntimeError("killed")
+
+    monkeypatch.setattr("os.replace", lambda source, target: killed() if "json" not in str(target) else None)
+    monkeypatch.setattr("os.unlink", lambda _: None)
+    with pytest.raises(RuntimeError, match="killed"):
+        data.write(tmp_path)
+    left = [path for path in tmp_path.rglob("*") if path.is_file()]
+    assert left and all(path.parent == tmp_path for path in left)
+    monkeypatch.undo()
+    assert data.write(tmp_path) == 1
+    assert all(path.suffix in (".png", ".npy") for path in tmp_path.glob("*/*/*"))
+
+
+def test_no_name_is_no_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(FileNotFoundError, match="a folder is wanted"):
+        cz.dataset(1, size=16).write("")
+    refused(run("dataset", "-n", 1, "--size", 16, "-o", ""), "names no folder")
+    assert not list(tmp_path.iterdir())
+
+
 def test_another_data_set_is_refused(tmp_path: Path) -> None:
     cz.dataset(2, size=24, rng=6).write(tmp_path)
     before = files(tmp_path)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import io
 import json
 import os
@@ -11,7 +12,7 @@ from collections.abc import Callable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from itertools import islice
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, BinaryIO, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +35,8 @@ _ABOUT, _TABLE = "dataset.json", "images.csv"
 
 class Dataset(Protocol):
     """What is asked of a :class:`crazing.Dataset`."""
+
+    __dataclass_fields__: ClassVar[dict[str, dataclasses.Field[Any]]]
 
     @property
     def n(self) -> int:
@@ -58,16 +61,20 @@ def write(
     dataset: Dataset, folder: str | os.PathLike[str], workers: int, progress: Callable[[int, int], None] | None
 ) -> int:
     """See `Dataset.write`."""
-    root = Path(arguments.file_path(folder, "folder"))
+    name = os.fspath(arguments.file_path(folder, "folder"))
+    if not name:
+        # Path makes it the working folder, where nobody wants a thousand pictures.
+        raise FileNotFoundError(2, "has no name; a folder is wanted", name)
+    root = Path(name)
     if root.exists() and not root.is_dir():
         raise NotADirectoryError(20, "is a file; a folder is wanted", str(root))
-    _claim(root, dataset)
+    whole = _claim(root, dataset)
     for split in {dataset.drawn(i)["split"] for i in range(dataset.n)}:
-        for name in ("images", *(FILES[label][0] for label in dataset.labels)):
-            (root / split / name).mkdir(parents=True, exist_ok=True)
+        for place in ("images", *(FILES[label][0] for label in dataset.labels)):
+            (root / split / place).mkdir(parents=True, exist_ok=True)
     missing = [i for i in range(dataset.n) if not all(path.exists() for path in _paths(root, dataset, i).values())]
     _make(dataset, root, missing, workers, progress)
-    _save_table(root, dataset)
+    _save_table(root, whole)
     return len(missing)
 
 
@@ -98,9 +105,10 @@ def _damaged(path: Path) -> CrazingError:
     return CrazingError(f"{path} is damaged; another folder is wanted")
 
 
-def _claim(root: Path, dataset: Dataset) -> None:
-    """Makes the folder this data set's, unless it holds another."""
+def _claim(root: Path, dataset: Dataset) -> Dataset:
+    """Makes the folder this data set's, unless it holds another; with the pictures that it holds beyond."""
     about, path = {**dataset.parameters, "algorithm_version": algorithm_version}, root / _ABOUT
+    whole = dataset
     if path.exists():
         found = _found(path)
         unlike = [name for name in about if found.get(name) != about[name]]
@@ -110,10 +118,21 @@ def _claim(root: Path, dataset: Dataset) -> None:
             words["key"] = "it was made with another seed"
             told = "; ".join(words[name] for name in unlike)
             raise CrazingError(f"{root} holds another data set: {told}; another folder is wanted")
+        whole = _with_more(root, dataset, found.get("n"))
     root.mkdir(exist_ok=True)
-    record = {"crazing": _core.__version__, "parameters": {"n": dataset.n, **about}}
+    record = {"crazing": _core.__version__, "parameters": {"n": whole.n, **about}}
     with atomic_write(path) as file:
         file.write(json.dumps(record, indent=1).encode())
+    return whole
+
+
+def _with_more(root: Path, dataset: Dataset, before: Any) -> Dataset:
+    """The data set as far as the folder has pictures of it, where fewer are asked for than were before."""
+    if not isinstance(before, int) or before <= dataset.n:
+        return dataset
+    longer = dataclasses.replace(dataset, n=before)
+    there = (i for i in reversed(range(dataset.n, before)) if _paths(root, longer, i)["image"].exists())
+    return dataclasses.replace(dataset, n=next(there, dataset.n - 1) + 1)
 
 
 def _paths(root: Path, dataset: Dataset, index: int) -> dict[str, Path]:
@@ -156,24 +175,26 @@ def _save(dataset: Dataset, root: Path, index: int) -> None:
     made = dataset[index]
     paths = _paths(root, dataset, index)
     for label, numbers in made.labels.items():
-        _save_label(paths[label], label, numbers)
+        # What a killed process leaves must not be among the pictures, where whoever lists the folder counts it.
+        with atomic_write(paths[label], room=root) as file:
+            _save_label(file, index, label, numbers)
     # Last, so that a picture never lacks its labels.
-    save_png(paths["image"], made.image)
+    with atomic_write(paths["image"], room=root) as file:
+        save_png(file, made.image)
 
 
-def _save_label(path: Path, label: str, numbers: NDArray[Any]) -> None:
+def _save_label(file: BinaryIO, index: int, label: str, numbers: NDArray[Any]) -> None:
     if label == "distance":
-        file = io.BytesIO()
-        np.save(file, numbers, allow_pickle=False)
-        with atomic_write(path) as target:
-            target.write(file.getvalue())
+        array = io.BytesIO()
+        np.save(array, numbers, allow_pickle=False)
+        file.write(array.getvalue())
     elif label in ("strand", "cell"):
         most = int(numbers.max()) + 1
         if most > 65_535:
-            raise CrazingError(f"{path.name} has {most} {label}s; a file of 16 bits holds 65535")
-        save_png(path, (numbers + 1).astype(np.uint16), srgb=False)
+            raise CrazingError(f"{index:06d}.png has {most} {label}s; a file of 16 bits holds 65535")
+        save_png(file, (numbers + 1).astype(np.uint16), srgb=False)
     else:
-        save_png(path, numbers, srgb=False)
+        save_png(file, numbers, srgb=False)
 
 
 def _save_table(root: Path, dataset: Dataset) -> None:

@@ -27,14 +27,15 @@ _AT_A_TIME = 1 << 14
 
 
 @contextlib.contextmanager
-def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
+def atomic_write(path: str | os.PathLike[str], *, room: Path | None = None) -> Iterator[BinaryIO]:
     """Open a binary file beside `path` that takes its place when the block ends well.
 
     A reader, a crash or a full disk sees the old file or the new one, never a part: the bytes are written to
     ``.tmp-*`` in the same folder, flushed to the disk, renamed, and the folder is flushed. When the block raises,
     nothing is left and `path` is as it was. A killed process leaves at most the ``.tmp-*`` file. An existing file
     keeps its permissions; a link is followed. What is there but no file, as a pipe or ``/dev/null``, stays: it is given
-    the bytes when the block has ended well.
+    the bytes when the block has ended well. `room` is another folder of the same disk for the ``.tmp-*`` file, where
+    all that is beside `path` is read.
 
     Raises
     ------
@@ -64,7 +65,7 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
     # Named before it is there: an interrupt finds it at any time.
-    name = target.parent / f".tmp-{secrets.token_hex(8)}"
+    name = (room or target.parent) / f".tmp-{secrets.token_hex(8)}"
     try:
         with _created(name, path) as file:
             os.chmod(name, _mode(target))

@@ -20,6 +20,8 @@ from crazing.dataset_folder import key_of
 
 def _folder(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
     path = Path(value)
+    if not value:
+        raise click.BadParameter("'' names no folder.")
     if path.exists() and not path.is_dir():
         raise click.BadParameter(f"{value!r} is a file; a folder is wanted.")
     if not path.parent.is_dir():
