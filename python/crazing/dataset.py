@@ -90,7 +90,8 @@ class LabelledImage:
 class Dataset(Sequence[LabelledImage]):
     """Pictures of cracks with exact labels, each made when it is asked for; see :func:`crazing.dataset`.
 
-    It has a length and takes an index, so that it can be given to a loader of PyTorch as it is.
+    It has a length and takes an index, which is what the ``DataLoader`` of PyTorch asks of a data set; its
+    ``collate_fn`` has to say what of each `LabelledImage` is stacked.
 
     Attributes
     ----------
