@@ -44,6 +44,32 @@ fn squares() -> impl Strategy<Value = (Vec<Point>, Vec<i64>)> {
 }
 
 #[test]
+fn small_shapes_far_apart_are_told_as_by_a_ray() {
+    // All sides of each are in one of so many squares over all of them, unless squares follow the corners.
+    let at = |i: u32| f64::from(i.wrapping_mul(2_654_435_769)) / f64::from(u32::MAX);
+    let n = 1500;
+    let islands: Vec<Point> = (0..6).map(|i| [1e4 * at(3 * i), 1e5 * at(3 * i + 1)]).chain([[1e9, -3e3]]).collect();
+    let rim = |&[x, y]: &Point| {
+        let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(n);
+        let r = |t: f64| 1.0 + 0.3 * (7.0 * t).cos();
+        (0..n).map(angle).map(move |t| [x + r(t) * t.cos(), y + r(t) * t.sin()]).collect::<Vec<_>>()
+    };
+    let coords: Vec<Point> = islands.iter().flat_map(rim).collect();
+    let offsets: Vec<i64> = (0..=islands.len() as i64).map(|i| i * i64::from(n)).collect();
+    let (found, sides) = (region(&coords, &offsets).unwrap(), sides(&coords, &offsets));
+    assert_eq!(found.rings().1, offsets);
+    let mut inside = 0;
+    for i in 0..3000 {
+        let near = islands[i as usize % islands.len()];
+        let p = [0, 1].map(|axis| near[axis] + 3.0 * (at(2 * i + axis as u32 + 9) - 0.5));
+        assert_eq!(found.contains(p), by_ray(&sides, p), "{p:?}");
+        inside += usize::from(found.contains(p));
+    }
+    assert!(inside > 500 && inside < 2500);
+    assert!((0..200).all(|i| !found.contains([1e9 * at(i), 1e5 * at(i + 1) + 10.0])));
+}
+
+#[test]
 fn flat_and_broken_rings_are_named() {
     let flat = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]];
     assert!(matches!(region(&flat, &[0, 3]), Err(Error::Crossing { .. })));
