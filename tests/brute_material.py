@@ -32,7 +32,7 @@ def key_of(seed: int) -> tuple[int, int]:
 
 
 def ease(t: Floats) -> Floats:
-    return t * t * (3 - 2 * t)
+    return t**3 * (6 * t**2 - 15 * t + 10)
 
 
 def linear(color: Any) -> Floats:
@@ -72,16 +72,20 @@ class Ground:
         self.m: Any = type("M", (), {**dataclasses.asdict(material), **lengths, **widths})
         self.cell, self.plates = cell, plates or {}
         self.noise = {name: self._noise(name) for name in _KINDS}
-        self.chip = self.m.chip * np.maximum(self.noise["chip"], 0) ** 2
+        self.chip = self.m.chip * np.clip(self.noise["chip"], 0, 1) ** 2
         self.top = max(0.0, 1 - (max(self.m.curl, 0) + self.m.tilt + self.m.level + self.m.grain))
         self._carve()
 
     def _noise(self, name: str) -> Floats:
+        """Octaves that are always there, and those whose lattice is no finer than two pixels."""
         (kind, count), found = _KINDS[name], np.zeros(self.brute.shape)
-        pitch = getattr(self.m, f"{name}_size")
-        for octave in range(count if pitch > 0 else 0):
+        pitch = getattr(self.m, f"{name}_size") * 4 / 3
+        if pitch <= 0:
+            return found
+        for octave in range(16):
             part = 0.5**octave
-            found += part / (2 - 0.5 ** (count - 1)) * self._octave(16 * kind + octave, max(1.0, pitch * part))
+            if octave < count or pitch * part >= 2:
+                found += part / (2 - 0.5 ** (count - 1)) * self._octave(16 * kind + octave, max(1.0, pitch * part))
         return found
 
     def _octave(self, stream: int, pitch: float) -> Floats:
@@ -96,27 +100,33 @@ class Ground:
                 period = round(self.brute.period[axis])
                 step = max(1, round(period / pitch))
                 pixel, rate = pixel % period, step / period
-            places.append((pixel + 0.5 + (self.beside[0], -self.beside[1])[axis]) * rate)
+            shift = stream * (0.6180339887498949, 0.7548776662466927)[axis] % 1
+            places.append((pixel + 0.5 + (self.beside[0], -self.beside[1])[axis]) * rate + shift)
             steps.append(step)
-        (i, j), (x, y) = (np.floor(at).astype(int) for at in places), (ease(at - np.floor(at)) for at in places)
-        lattice = self._lattice(stream, i.min(), j.min(), i.max() + 2, j.max() + 2, steps)
-        i, j = i - i.min(), (j - j.min())[:, None]
-        above, below = (lattice[j + b, i] * (1 - x) + lattice[j + b, i + 1] * x for b in (0, 1))
-        return above * (1 - y[:, None]) + below * y[:, None]
+        (i, j), (x, y) = (np.floor(at).astype(int) for at in places), (at - np.floor(at) for at in places)
+        planes = self._lattice(stream, i.min(), j.min(), i.max() + 2, j.max() + 2, steps)
+        i, j, y = i - i.min(), (j - j.min())[:, None], y[:, None]
+
+        def plane(down: int, right: int) -> Floats:
+            height, across, along = np.moveaxis(planes[j + down, i + right], -1, 0)
+            return height + across * (x - right) + along * (y - down)
+
+        above, below = (plane(down, 0) * (1 - ease(x)) + plane(down, 1) * ease(x) for down in (0, 1))
+        return above * (1 - ease(y)) + below * ease(y)
 
     def _lattice(self, stream: int, left: int, top: int, right: int, bottom: int, steps: list[int]) -> Floats:
-        """The values at lattice points from left to right, row by row; they come round after so many steps."""
+        """Height and slopes at lattice points from left to right, row by row; they come round after so many steps."""
         columns, rows = (
             np.arange(first, last) % step if step else np.arange(first, last)
             for first, last, step in ((left, right, steps[0]), (top, bottom, steps[1]))
         )
-        found = np.empty((len(rows), len(columns)))
+        found = np.empty((len(rows), len(columns), 3))
         for place, row in enumerate(rows):
-            for group in np.unique(columns // 16):
-                words = philox(self.key, (int(group), int(row), _GRAIN, stream))
-                bits = words.astype("<u8").view("<u2").astype(float)
-                own = columns // 16 == group
-                found[place, own] = (bits[columns[own] % 16] + 0.5) / 32768 - 1
+            for group in np.unique(columns // 8):
+                words = philox(self.key, (int(group), int(row), _GRAIN, stream)).astype("<u8").view("<u4").astype(int)
+                own = columns // 8 == group
+                bits = words[columns[own] % 8, None] >> np.array([0, 10, 20]) & 1023
+                found[place, own] = np.array([0.7, 1.6, 1.6]) * ((bits + 0.5) / 512 - 1)
         return found
 
     def _own(self, number: int) -> tuple[float, float, Floats, float]:
@@ -142,7 +152,7 @@ class Ground:
                 middle, reach = self.plates[number]
                 x, y = (self.brute.x - middle[0])[None, :], (self.brute.y - middle[1])[:, None]
                 rise += np.where(on, self.m.tilt * (x * own[2][0] + y * own[2][1]) / reach, 0)
-        return tint, rise + self.m.grain * self.noise["grain"], curl
+        return tint, rise, curl
 
     def _carve(self) -> None:
         """Height and occlusion above the nearest edge."""
@@ -159,10 +169,10 @@ class Ground:
         u = np.divide(-self.distance, radius, out=np.ones(radius.shape), where=np.abs(self.distance) < radius)
         wall = (1 - m.roundness) * u + m.roundness * (1 - (1 - u) ** 4)
         share = np.minimum(radius / (self.widest / 2), 1) if self.widest else np.ones(u.shape)
-        floor = self.top - min(m.depth, self.top) * np.sqrt(share)
+        floor = self.top - min(m.depth, max(self.top - m.grain, 0)) * np.sqrt(share)
         height = np.where(self.distance < 0, height + (floor - height) * wall, height)
         self.ao = self._sky(self.distance, radius, height, rise)
-        self.height = np.clip(height, 0, 1)
+        self.height = np.clip(height + m.grain * self.noise["grain"], 0, 1)
         if m.tilt == m.level == m.grain == m.curl * m.curl_spread == 0:
             # Of plates that are all alike nothing is raised beyond this.
             reach = max(m.rim_width * (m.rim != 0), m.curl_width * (m.curl != 0)) + m.chip
@@ -181,7 +191,7 @@ class Ground:
 
     def wear(self) -> Floats:
         near = np.clip(1 - np.maximum(self.distance, 0) / self.m.wear_width, 0, 1) if self.m.wear_width else 0.0
-        return self.m.wear * near**2 * (0.5 + 0.5 * self.noise["mottle"]) * (1 - self.crack_share())
+        return self.m.wear * near**2 * np.clip(0.5 + 0.5 * self.noise["mottle"], 0, 1) * (1 - self.crack_share())
 
     def roughness(self) -> Floats:
         plate = self.m.roughness + self.m.roughness_spread / 2 * (self.noise["grain"] + self.noise["mottle"])

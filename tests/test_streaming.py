@@ -249,7 +249,7 @@ def test_a_killed_run_leaves_no_torn_file_and_goes_on(tmp_path, way) -> None:
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert "1024 x 6144" in done.stdout and not journal.parent.exists()
     recipe = cz.preset("glaze")
-    pattern = recipe.crack(bounds=(0, 0, 1024 / 6144, 1), rng=5)
+    pattern = recipe.crack(bounds=(0, 0, 1024 / 6144, 1), detail=3 / 6144, rng=5)
     progress = lambda done, total: begun.append(done)  # noqa: E731
     cz.write_texture(
         pattern,

@@ -17,7 +17,7 @@ from crazing.texture import MAPS
 ROUGH = cz.Material(tilt=0.1, level=0.05, grain=0.02, curl=0.1, chip=0.5, tint=0.5, wear=0.5)
 
 #: Of all maps of some lines in `ROUGH`: one for every platform.
-GOLDEN = "816d7ebce2a13fbbbce63f41181321cdf38e3f92065102fa166787d5655c9818"
+GOLDEN = "6ab896664bed8a1fbef0c12d5aeef42281840526edb93af877324ae883dbacdd"
 
 
 def same(one, other):
@@ -206,9 +206,15 @@ def test_cells_hold_what_floats_in_them():
     assert len(np.unique(cell[inside])) == len(np.unique(cell[outside])) == 1
 
 
-@pytest.mark.parametrize("material", [cz.Material(), ROUGH, cz.Material(curl=-0.2, tilt=0.1, roundness=1.0)])
+@pytest.mark.parametrize(
+    "material",
+    [cz.Material(), dataclasses.replace(ROUGH, grain=0, chip=0), cz.Material(curl=-0.2, tilt=0.1, roundness=1.0)],
+)
 def test_normals_are_the_slope_of_the_height(net, material):
-    """At a scale where a pixel is small against everything, differences of the height give the normal."""
+    """At a scale where a pixel is small against everything, differences of the height give the normal.
+
+    Noise is as fine as pixels at any scale: that of `test_brute` is looked at between them.
+    """
     small = (0.4, 0.4, 0.44, 0.44)
     t = cz.texture(net, 400, maps=["height", "normal", "cell"], material=material, bounds=small)
     np.testing.assert_allclose(np.linalg.norm(t["normal"], axis=2), 1, atol=1e-6)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypeAlias
 
 import numpy as np
@@ -47,6 +47,9 @@ class Drawing(Record):
         The end that each edge end continues into; end 2 k + i is end i of edge k; -1 for none.
     age : (e,) int32
         Of the crack of each edge, low is old; no rows where length decides.
+    origin : (e,) int32
+        The edge that each piece of a rough drawing is of; pieces of one edge follow one another. No rows where edges
+        are whole.
     """
 
     vertices: NDArray[np.float64]
@@ -58,6 +61,7 @@ class Drawing(Record):
     fence: Fence
     partner: NDArray[np.int32]
     age: NDArray[np.int32]
+    origin: NDArray[np.int32] = field(default_factory=lambda: np.empty(0, dtype=np.int32))
 
     @property
     def net(self) -> Net:

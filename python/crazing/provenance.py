@@ -32,6 +32,7 @@ def of_recipe(
     bounds: tuple[float, ...] | None = None,
     period: tuple[float, ...] | None = None,
     width: float | None = None,
+    detail: float | None = None,
     age: float | None = None,
 ) -> dict[str, Any]:
     """The origin of a crack that a recipe makes."""
@@ -42,6 +43,7 @@ def of_recipe(
         "bounds": None if bounds is None else list(bounds),
         "period": None if period is None else list(period),
         "width": width,
+        "detail": detail,
         "age": age,
     }
 
@@ -81,7 +83,7 @@ def crack_of(origin: Mapping[str, Any]) -> Crack:
         if "recipe" in origin:
             recipe = Recipe(**origin["recipe"])
             # One of the two is None.
-            frame = {name: origin[name] for name in ("bounds", "period", "width")}
+            frame = {name: origin[name] for name in ("bounds", "period", "width", "detail")}
             crack = recipe.crack(**frame, rng=int(origin["seed"]))
             return crack if origin["age"] is None else crack.at(origin["age"])
         if "pattern" in origin:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import os
 import tomllib
 from dataclasses import dataclass, field
@@ -263,6 +264,7 @@ class Recipe:
         density: Any = None,
         bounds: ArrayLike | None = None,
         period: ArrayLike | None = None,
+        detail: float | None = None,
         rng: _rng.RNG = None,
     ) -> Crack:
         """Make a crack pattern.
@@ -283,6 +285,10 @@ class Recipe:
             What the pattern is clipped to, data units; by default as in :func:`crazing.crack`.
         period : (width, height), optional
             What is repeated, data units.
+        detail : float, optional
+            Rough and rounded cracks are cut into pieces no longer than this, data units, where the recipe's `grain` is
+            coarser. For pictures that are looked at closely, three pixels: ``3 / 8192`` of a unit square. Finer pieces
+            add to a crack, and leave the vertices it has without them where they are.
         rng : int, numpy.random.Generator or None, optional
             Seed.
 
@@ -314,10 +320,17 @@ class Recipe:
         site = Site(self, box, torus, source, density)
         drawing, unit = site.maze(points, seed) if self.generator == "maze" else site.aged(seed)
         areal(drawing.bounds, "the box around the points")
-        return self._course(site, drawing, unit, seed, width).crack(drawing)
+        finest = math.inf if detail is None else number(detail, "detail", low=course.NEAREST)
+        return self._course(site, drawing, unit, seed, width, finest).crack(drawing)
 
     def _course(
-        self, site: Site, drawing: steps.Drawing, unit: float, seed: np.random.Generator, width: float | None
+        self,
+        site: Site,
+        drawing: steps.Drawing,
+        unit: float,
+        seed: np.random.Generator,
+        width: float | None,
+        detail: float,
     ) -> course.Course:
         """The steps that make the pattern of a drawing, its plates `unit` apart."""
         # Every step draws its key, wanted or not: turning one off leaves the others as they are.
@@ -329,7 +342,8 @@ class Recipe:
         looks = (full, self.hierarchy, self.shrink, self.taper, self.abutting, self.unevenness, unit, where, reach)
         straight = (self.rounds, self.pull, self.slide, self.clamp, self.unbend)
         stubs = (self.stubs, self.stub_length, unit, self.stub_spread, course.LEAN)
-        rough = (self.roughness, unit, self.hurst, self.grain, self.rounding)
+        grain = min(self.grain, detail / unit) if unit else self.grain
+        rough = (self.roughness, unit, self.hurst, grain, self.rounding)
         # Plates of stretched mazes are near each other in one direction and far in the other, whatever their size.
         spacing = 0.0 if site.is_even or self.anisotropy != 1 else unit
         is_rough = bool((self.roughness or self.rounding) and unit)
@@ -500,6 +514,7 @@ def crack(
     density: Any = None,
     bounds: ArrayLike | None = None,
     period: ArrayLike | None = None,
+    detail: float | None = None,
     rng: _rng.RNG = None,
     **steps: Any,
 ) -> Crack:
@@ -533,6 +548,9 @@ def crack(
         box, grown by half their mean spacing and by no more than a tenth.
     period : (width, height), optional
         Make a pattern that repeats: cracks leave on one side and come in on the opposite one. Excludes `bounds`.
+    detail : float, optional
+        Rough and rounded cracks are cut into pieces no longer than this, data units, see :meth:`Recipe.crack`: three
+        pixels of the picture that is to be made.
     rng : int, numpy.random.Generator or None, optional
         Seed. The same seed gives the same pattern on every platform.
     **steps
@@ -576,4 +594,5 @@ def crack(
         raise TypeError(f"points is {points!r}; coordinates are wanted; a kind of crack is named by preset={points!r}")
     if points is not None and n is not None:
         raise ValueError("points and n are both given; n is for uniform points without points")
-    return recipe.crack(points, width=width, source=source, density=density, bounds=bounds, period=period, rng=rng)
+    frame = {"bounds": bounds, "period": period, "detail": detail}
+    return recipe.crack(points, width=width, source=source, density=density, **frame, rng=rng)

@@ -493,7 +493,7 @@ def roughen(
     found = _core.crack_roughen(drawing.net, drawing.partner, drawing.fence, how, key(rng))
     net, fence, partner, origin = found
     age = drawing.age[origin] if len(drawing.age) else drawing.age
-    return Drawing(*net, drawing.bounds, fence, partner, age)
+    return Drawing(*net, drawing.bounds, fence, partner, age, origin)
 
 
 def warp(drawing: Drawing, *, amplitude: float, rng: RNG = None) -> Drawing:
@@ -591,7 +591,8 @@ def widen(
     profile = course.widths(
         width, hierarchy, shrink, taper, abutting, unevenness, unit, source=source, reach=reach, fade=fade
     )
-    looks = _core.crack_widths(drawing.net, drawing.partner, np.ascontiguousarray(drawing.age), profile, key(rng))
+    age, origin = (np.ascontiguousarray(rows) for rows in (drawing.age, drawing.origin))
+    looks = _core.crack_widths(drawing.net, drawing.partner, age, origin, profile, key(rng))
     vertices, edges, shifts = drawing.vertices, drawing.edges, drawing.shifts
     if any(drawing.period):
         vertices, edges, shifts, _, _ = _core.crack_wrap(drawing.net)

@@ -21,6 +21,8 @@ from crazing.pictures.output import is_file, refuse_others, words
 #: What a folder gets when no maps are named; a single file gets the colour.
 USUAL = ("color", "normal", "height", "ao", "roughness")
 
+#: Rough cracks have no straight pieces longer than this, pixels.
+SEEN = 3.0
 
 #: Fields of a recipe by the options that set them, and those that only walls of a maze have.
 _OPTIONS = {"n": "--sites", "sampler": "--distribution", "opening": "--opening"}
@@ -109,10 +111,10 @@ class Order:
 
     def _frame(self) -> dict[str, Any]:
         """The picture has a height of 1 in the data."""
-        aspect = self.size[0] / self.size[1]
+        aspect, detail = self.size[0] / self.size[1], SEEN / self.size[1]
         if self.seamless:
-            return {"bounds": None, "period": (aspect, 1.0)}
-        return {"bounds": (0.0, 0.0, aspect, 1.0), "period": None}
+            return {"bounds": None, "period": (aspect, 1.0), "detail": detail}
+        return {"bounds": (0.0, 0.0, aspect, 1.0), "period": None, "detail": detail}
 
     def _maps(self) -> tuple[str, ...]:
         if self.maps is None:

@@ -246,13 +246,15 @@ pub(crate) fn crack_widths<'py>(
     net: NetArrays<'py>,
     partner: PyReadonlyArray1<'py, i32>,
     age: PyReadonlyArray1<'py, i32>,
+    origin: PyReadonlyArray1<'py, i32>,
     widths: Widths,
     key: Key,
 ) -> PyResult<Strands<'py>> {
     let (net, profile) = (net.view()?, widths.profile());
     let partner = ends(&partner, net)?;
     let age = age.as_slice().unwrap_or_default();
-    let looks = detached(py, |watch| crack::looks(net, partner, age, profile, key, watch))?;
+    let origin = if origin.is_empty() { &[] } else { column(&origin, "origin", net.edges.len())? };
+    let looks = detached(py, |watch| crack::looks(net, partner, age, origin, (profile, key), watch))?;
     let [strand, generation, parent] =
         [looks.strand, looks.generation, looks.parent].map(|entries| PyArray1::from_vec(py, entries));
     Ok((table(py, looks.widths)?, strand, generation, parent))

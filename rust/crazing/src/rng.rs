@@ -72,8 +72,9 @@ fn product(a: u64, b: u64) -> (u64, u64) {
 /// are both exact here, so quantile functions are symmetric to the last bit.
 #[inline]
 pub fn open_unit(word: u64) -> f64 {
-    const STEP: f64 = 1.0 / (1_u64 << 52) as f64;
-    ((word >> 12) as f64 + 0.5) * STEP
+    // The bits behind the point of a number from 1 to 2; what is taken from it leaves half an interval, exactly.
+    const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
+    f64::from_bits(0x3ff0_0000_0000_0000 | (word >> 12)) - BELOW_ONE
 }
 
 /// The words of one stream in turn.

@@ -4,7 +4,7 @@
 mod drawings;
 mod families;
 
-use crazing::crack::{Fence, Profile, looks, pairs, straighten, strands, warp, widths};
+use crazing::crack::{Fence, Profile, Rough, Roughness, looks, pairs, roughen, straighten, strands, warp, widths};
 use crazing::{Point, Watch};
 use drawings::*;
 use proptest::prelude::*;
@@ -96,13 +96,46 @@ proptest! {
                 prop_assert!(older.iter().any(|&end| [end, end ^ 1].iter().any(|&e| tips.contains(&net.view().vertex(e)))));
             }
             prop_assert!(seen.iter().all(|&times| times == 1));
-            // Pieces that follow one another are looked at as one, and give the same bits as each by itself.
+            // All at once they are what they are one by one.
             let profile = Profile { width: 1.0, unevenness: 0.4, unit: unit(bounds, n), fade: 0.5, ..Profile::default() };
-            let seen = looks(net.view(), partner, &[], profile, [seed, 9], Watch::default()).unwrap();
+            let seen = looks(net.view(), partner, &[], &[], (profile, [seed, 9]), Watch::default()).unwrap();
             prop_assert_eq!(seen.widths, widths(net.view(), &found, profile, [seed, 9]).unwrap());
             prop_assert_eq!((seen.strand, seen.generation), (found.of_edge.clone(), found.generation.clone()));
             let parent: Vec<i32> = found.of_edge.iter().map(|&strand| found.parent[strand as usize]).collect();
             prop_assert_eq!(seen.parent, parent);
+        }
+    }
+
+    #[test]
+    fn finer_pieces_move_nothing_and_are_as_wide(
+        trouble in 0..TROUBLES.len(), n in 4_usize..34, torus in any::<bool>(), opening in 0.0..0.9, seed in 0_u64..1000,
+    ) {
+        let (walls, bounds) = drawn(TROUBLES[trouble], n, torus, opening, seed);
+        let (net, fence, unit) = (walls.net, walls.fence, unit(bounds, n));
+        let partner = pairs(net.view(), 1.0);
+        let profile = Profile { width: 1.0, unevenness: 0.4, unit, fade: 0.5, ..Profile::default() };
+        let cut = |grain: f64| {
+            let how = Roughness { amplitude: 0.1, hurst: 0.6, unit, grain: grain * unit, rounding: 0.5 };
+            let rough = roughen(net.view(), &partner, fence.view(), how, [seed, 3], Watch::default()).unwrap();
+            let (partner, origin) = (&rough.partner, &rough.origin);
+            let looks = looks(rough.net.view(), partner, &[], origin, (profile, [seed, 9]), Watch::default()).unwrap();
+            (rough, looks)
+        };
+        let ((coarse, wide), (fine, as_wide)) = (cut(0.3), cut(0.02));
+        prop_assert!(coarse.net.edges.len() <= fine.net.edges.len());
+        let (mut next, mut from) = (0, 0);
+        for edge in 0..net.edges.len() as i32 {
+            let count = |origin: &[i32], from: usize| origin[from..].iter().take_while(|of| **of == edge).count();
+            let (few, many) = (count(&coarse.origin, from), count(&fine.origin, next));
+            prop_assert!(few > 0 && many % few == 0);
+            for (i, j) in (0..few).map(|i| (from + i, next + i * (many / few))) {
+                let place = |rough: &Rough, k: usize| rough.net.vertices[rough.net.edges[k][0] as usize];
+                prop_assert_eq!(place(&coarse, i), place(&fine, j));
+                prop_assert_eq!(wide.widths[i][0], as_wide.widths[j][0]);
+                prop_assert_eq!(wide.widths[i][1], as_wide.widths[j + many / few - 1][1]);
+                prop_assert_eq!((wide.strand[i], wide.parent[i]), (as_wide.strand[j], as_wide.parent[j]));
+            }
+            (from, next) = (from + few, next + many);
         }
     }
 

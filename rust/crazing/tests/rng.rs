@@ -69,6 +69,9 @@ fn ends_of_the_unit_intervals() {
     assert!(open_unit(MAX) < 1.0);
     assert_eq!(open_unit(0) + open_unit(MAX), 1.0);
     assert_eq!(1.0 - open_unit(0), open_unit(MAX));
+    for word in (0..1000).flat_map(|i| block([7, 8], [i, 0, 0, 0])).chain([0, 1, 1 << 12, MAX]) {
+        assert_eq!(open_unit(word), ((word >> 12) as f64 + 0.5) / (1_u64 << 52) as f64);
+    }
 }
 
 /// Chi-squared over 3 and over 100 classes; the bound is the 99.9 % quantile.

@@ -3,8 +3,8 @@
 use super::net::{Ends, NONE, Net, NetView};
 use super::roughen::Trace;
 use super::roughen::pieces::{pieces_of, repeated, shifts_of};
-use super::strand::{Pieces, Runs, of_pieces};
-use super::width::{Profile, spans, widen};
+use super::strand::{Runs, followed};
+use super::width::{Profile, widen};
 use crate::error::Result;
 use crate::parallel;
 use crate::rng::Key;
@@ -34,7 +34,8 @@ pub struct Looks {
 
 /// The widths and strands of a drawing; `partner` is what [`super::pairs`] gives, `age` is that of [`super::strands`].
 ///
-/// Edges of which one follows the other, as the pieces of rough ones do, are looked at as one.
+/// `origin` is the edge that each piece is of, as [`super::Rough`] has it: pieces of one edge follow one another, and
+/// lengths are those of whole edges, however far their pieces wander. Empty where edges are whole.
 ///
 /// # Errors
 /// [`crate::Error::BadValue`], [`crate::Error::Interrupted`].
@@ -42,38 +43,34 @@ pub fn looks(
     net: NetView<'_>,
     partner: &[i32],
     age: &[i32],
-    profile: Profile,
-    key: Key,
+    origin: &[i32],
+    (profile, key): (Profile, Key),
     watch: Watch<'_>,
 ) -> Result<Looks> {
-    let starts = chains(net, partner);
-    let chains = starts.len() - 1;
+    let starts = starts(net.edges.len(), origin);
+    let edges = starts.len() - 1;
     let end_of = |end: i32| match end {
         NONE => NONE,
         _ => 2 * (starts.partition_point(|&start| start <= end as usize / 2) - 1) as i32 + end % 2,
     };
     let outer = |k: usize| [(starts[k], 0), (starts[k + 1] - 1, 1)];
-    let edges: Vec<[i32; 2]> = (0..chains).map(|k| outer(k).map(|(edge, side)| net.edges[edge][side])).collect();
+    let crossed = |k: usize| {
+        let shifts = net.shifts.get(starts[k]..starts[k + 1]).unwrap_or_default().iter();
+        shifts.fold([0_i8; 2], |sum, shift| [0, 1].map(|axis| sum[axis].saturating_add(shift[axis])))
+    };
+    let whole: Vec<[i32; 2]> = (0..edges).map(|k| outer(k).map(|(piece, side)| net.edges[piece][side])).collect();
+    let shifts: Vec<[i8; 2]> = (0..if net.shifts.is_empty() { 0 } else { edges }).map(crossed).collect();
     let partner: Vec<i32> =
-        (0..chains).flat_map(|k| outer(k).map(|(edge, side)| end_of(partner[2 * edge + side]))).collect();
-    let age: Vec<i32> = starts[..chains].iter().filter_map(|&edge| age.get(edge).copied()).collect();
-    let whole = NetView { edges: &edges, shifts: &[], ..net };
+        (0..edges).flat_map(|k| outer(k).map(|(piece, side)| end_of(partner[2 * piece + side]))).collect();
+    let age: Vec<i32> = starts[..edges].iter().filter_map(|&piece| age.get(piece).copied()).collect();
+    let whole = NetView { edges: &whole, shifts: &shifts, ..net };
     looks_of(net, (whole, None), &starts, (Runs::of(&partner), &age), (profile, key), watch)
 }
 
-/// The first edges of chains, and the end: edges that follow one another and meet at vertices where nothing else is.
-fn chains(net: NetView<'_>, partner: &[i32]) -> Vec<usize> {
-    let degrees = net.degrees();
-    let goes_on = |k: usize| {
-        let (near, far) = (2 * k - 1, 2 * k);
-        let vertex = net.vertex(far as u32);
-        partner[near] == far as i32
-            && partner[far] == near as i32
-            && degrees[vertex] == 2
-            && net.vertex(near as u32) == vertex
-    };
-    let edges = net.edges.len();
-    (0..edges).filter(|&k| k == 0 || !goes_on(k)).chain([edges]).collect()
+/// Where the pieces of each edge start, and the end.
+fn starts(pieces: usize, origin: &[i32]) -> Vec<usize> {
+    let is_first = |k: usize| k == 0 || origin.is_empty() || origin[k] != origin[k - 1];
+    (0..pieces).filter(|&k| is_first(k)).chain([pieces]).collect()
 }
 
 /// The same of edges that `starts` says the pieces of; `net` has the pieces. `ends` where it is known who meets where.
@@ -85,24 +82,19 @@ fn looks_of(
     (profile, key): (Profile, Key),
     watch: Watch<'_>,
 ) -> Result<Looks> {
-    let mut widths = spans(net);
-    watch.poll()?;
-    let pieces = Pieces { starts, span: |piece: usize| widths[piece][0] };
-    let (mut strands, older) = of_pieces(whole, ends.as_ref(), runs, age, &pieces);
+    let (mut strands, older) = followed(whole, ends.as_ref(), runs, age);
     drop(ends);
     watch.poll()?;
-    let (generation, parent) = if profile.shrink == 1.0 {
+    let (widths, (generation, parent)) = if profile.shrink == 1.0 {
         // One generation after the other, on one thread: widths that do not depend on it are found meanwhile.
-        let widen = || widen(net, whole, starts, &strands, &profile, key, &mut widths);
-        let (done, found) = parallel::join(whole.edges.len(), widen, || older.descend(&strands.run));
-        done?;
-        found
+        let widen = || widen(net, whole, starts, &strands, &profile, key);
+        parallel::join(whole.edges.len(), widen, || older.descend(&strands.run))
     } else {
         let found = older.descend(&strands.run);
         strands.generation = parallel::map(whole.edges.len(), |k| found.0[strands.of_edge[k] as usize]);
-        widen(net, whole, starts, &strands, &profile, key, &mut widths)?;
-        found
+        (widen(net, whole, starts, &strands, &profile, key), found)
     };
+    let widths = widths?;
     watch.poll()?;
     drop(older);
     let of_edge = strands.into_of_edge();

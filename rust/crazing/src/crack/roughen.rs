@@ -138,13 +138,13 @@ pub(super) fn trace(
         &mut places[old..],
         |range, mut places| {
             let next = libm::exp2(-how.hurst);
-            let mut heights = [0.0; (1 << DEEPEST) + 1];
+            let (mut heights, mut numbers) = ([0.0; (1 << DEEPEST) + 1], [0.0; 1 << DEEPEST]);
             for k in range.filter(|&k| depths[k] > 0) {
                 let own;
                 (own, places) = places.split_at_mut((1 << depths[k]) - 1);
                 let room = Room::of(moved, fence, k);
-                let heights = &mut heights[..=1 << depths[k]];
-                wavy(heights, how.deviation(room.length), next, key, k);
+                let (heights, numbers) = (&mut heights[..=1 << depths[k]], &mut numbers[..1 << depths[k]]);
+                wavy(heights, numbers, how.deviation(room.length), next, key, k);
                 place(moved, &room, &Bow::of(moved, partner, k, rounding), heights, k, own);
             }
         },

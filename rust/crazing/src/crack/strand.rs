@@ -49,23 +49,6 @@ pub struct Strands {
     pub(super) turned: Vec<bool>,
 }
 
-/// Edges made of pieces that follow one another: piece by piece along a strand, without a look at what lies between.
-pub(super) struct Pieces<'a, S> {
-    /// Where the pieces of each edge start, and the end.
-    pub(super) starts: &'a [usize],
-    /// Length of a piece.
-    pub(super) span: S,
-}
-
-impl<S: Fn(usize) -> f64> Pieces<'_, S> {
-    /// `length` grown by every piece of an edge, in the order in which they are met.
-    fn along(&self, entry: u32, length: f64) -> f64 {
-        let range = self.starts[entry as usize / 2]..self.starts[entry as usize / 2 + 1];
-        let longer = |length: f64, piece| length + (self.span)(piece);
-        if entry.is_multiple_of(2) { range.fold(length, longer) } else { range.rev().fold(length, longer) }
-    }
-}
-
 impl Strands {
     /// The ends of the edges along a strand in turn.
     pub fn along(&self, strand: usize) -> &[u32] {
@@ -86,26 +69,17 @@ impl Strands {
 ///
 /// `age` of every edge, low is old, orders the strands; where there is none the longer is the older.
 pub fn strands(net: NetView<'_>, partner: &[i32], age: &[i32]) -> Strands {
-    let starts: Vec<usize> = (0..=net.edges.len()).collect();
-    let pieces = Pieces { starts: &starts, span: |edge| net.length(edge) };
-    let (mut found, older) = of_pieces(net, None, Runs::of(partner), age, &pieces);
+    let (mut found, older) = followed(net, None, Runs::of(partner), age);
     let (generation, parent) = older.descend(&found.run);
     found.generation = parallel::map(net.edges.len(), |edge| generation[found.of_edge[edge] as usize]);
     Strands { parent, ..found }
 }
 
-/// The same, lengths summed up piece by piece: the same bits as of a drawing in which every piece is an edge. `ends` where
-/// it is known who meets where. Parents and generations are left to be found.
-pub(super) fn of_pieces(
-    net: NetView<'_>,
-    ends: Option<&Ends>,
-    runs: Runs,
-    age: &[i32],
-    pieces: &Pieces<'_, impl Fn(usize) -> f64 + Sync>,
-) -> (Strands, Older) {
+/// The same of runs; `ends` where it is known who meets where. Parents and generations are left to be found.
+pub(super) fn followed(net: NetView<'_>, ends: Option<&Ends>, runs: Runs, age: &[i32]) -> (Strands, Older) {
     let Runs { of_edge, turned, entries, starts, lowest } = runs;
     let mut found = Strands { run_of: of_edge, turned, entries, starts, ..Strands::default() };
-    let mut runs = measured(&mut found, &lowest, age, pieces);
+    let mut runs = measured(net, &mut found, &lowest, age);
     found.long = parallel::map(runs.len(), |run| f64::from_bits(!runs[run].shortness));
     found.length = vec![0.0; runs.len()];
     // Oldest first, then longest; equal lengths by their first edge.
@@ -252,18 +226,13 @@ impl Runs {
 }
 
 /// Finds how far along its run each edge is entered, and what the runs are put in order by.
-fn measured(
-    found: &mut Strands,
-    lowest: &[u32],
-    age: &[i32],
-    pieces: &Pieces<'_, impl Fn(usize) -> f64 + Sync>,
-) -> Vec<Run> {
+fn measured(net: NetView<'_>, found: &mut Strands, lowest: &[u32], age: &[i32]) -> Vec<Run> {
     // Every edge is of one run: whoever comes to it writes, in any order.
     let before = parallel::map(found.run_of.len(), |_| AtomicU64::new(0));
     let run = |number: usize| {
         let length = found.entries_of(number).iter().fold(0.0, |length: f64, &entry| {
             before[entry as usize / 2].store(length.to_bits(), Relaxed);
-            pieces.along(entry, length)
+            length + net.length(entry as usize / 2)
         });
         let (lowest, number) = (lowest[number], number as u32);
         let age = age.get(lowest as usize).copied().unwrap_or(0);

@@ -60,17 +60,10 @@ impl Default for Profile {
 /// [`Error::BadValue`].
 pub fn widths(net: NetView<'_>, strands: &Strands, profile: Profile, key: Key) -> Result<Vec<[f64; 2]>> {
     let starts: Vec<usize> = (0..=net.edges.len()).collect();
-    let mut widths = spans(net);
-    widen(net, net, &starts, strands, &profile, key, &mut widths)?;
-    Ok(widths)
+    widen(net, net, &starts, strands, &profile, key)
 }
 
-/// Length of each edge, where the first of its widths is to be.
-pub(super) fn spans(net: NetView<'_>) -> Vec<[f64; 2]> {
-    parallel::map(net.edges.len(), |edge| [net.length(edge), 0.0])
-}
-
-/// Writes widths over the lengths of pieces: `whole` has the edges that `starts` says the pieces of, `net` the pieces.
+/// Widths of pieces: `whole` has the edges that `starts` says the pieces of, equal parts of each, and `net` the pieces.
 ///
 /// Edge by edge in the order of memory: how far along its strand an edge is entered is known.
 pub(super) fn widen(
@@ -80,51 +73,61 @@ pub(super) fn widen(
     strands: &Strands,
     profile: &Profile,
     key: Key,
-    widths: &mut [[f64; 2]],
-) -> Result<()> {
+) -> Result<Vec<[f64; 2]>> {
     check(profile)?;
     let longest = strands.length.iter().fold(f64::MIN_POSITIVE, |longest, &length| longest.max(length));
     let shapes = parallel::map(strands.run.len(), |run| Shape::of(whole, strands, profile, key, longest, run));
     let knots = Knots::of(strands, profile, key, starts[whole.edges.len()]);
+    let mut widths = vec![[0.0; 2]; starts[whole.edges.len()]];
     parallel::grouped(
         whole.edges.len(),
         |edge| starts[edge],
-        widths,
+        &mut widths,
         |edges, widths| {
             let mut rest = widths;
             for edge in edges {
                 let own;
                 (own, rest) = rest.split_at_mut(starts[edge + 1] - starts[edge]);
                 let run = strands.run_of[edge] as usize;
-                let uneven = knots.along(strands, run);
-                let at = |end: u32| faded(net, profile, end);
-                along(&shapes[run], uneven, strands, edge, starts[edge], at, own);
+                let way =
+                    Way { before: strands.before[edge], turned: strands.turned[edge], length: whole.length(edge) };
+                way.along(&shapes[run], knots.along(strands, run), own);
+                if profile.fade != 0.0 {
+                    let ends = own.iter_mut().flatten().zip(2 * starts[edge] as u32..);
+                    ends.for_each(|(width, end)| *width *= faded(net, profile, end));
+                }
             }
         },
     );
-    Ok(())
+    Ok(widths)
 }
 
-/// Writes the widths of the pieces of an edge over their lengths.
-fn along(
-    shape: &Shape,
-    mut uneven: Uneven<'_>,
-    strands: &Strands,
-    edge: usize,
-    start: usize,
-    left: impl Fn(u32) -> f64,
-    pieces: &mut [[f64; 2]],
-) {
-    let (turned, mut run) = (strands.turned[edge], strands.before[edge]);
-    let mut at = |run: f64, end: usize| shape.at(run) * uneven.at(run) * left(end as u32);
-    let entry = if turned { 2 * (start + pieces.len()) - 1 } else { 2 * start };
-    let mut before = at(run, entry);
-    for i in 0..pieces.len() {
-        let i = if turned { pieces.len() - 1 - i } else { i };
-        run += pieces[i][0];
-        let after = at(run, 2 * (start + i) + usize::from(!turned));
-        pieces[i] = if turned { [after, before] } else { [before, after] };
-        before = after;
+/// The way along an edge, as a part of its run.
+struct Way {
+    /// How far along the run the edge is entered.
+    before: f64,
+    /// Whether that is at its second end.
+    turned: bool,
+    length: f64,
+}
+
+impl Way {
+    /// Writes the widths of the pieces of the edge, in equal parts of it however far they wander: where an edge is cut more
+    /// finely, it is as wide as before.
+    fn along(&self, shape: &Shape, mut uneven: Uneven<'_>, pieces: &mut [[f64; 2]]) {
+        // Exact where there are a power of two.
+        let step = 1.0 / pieces.len() as f64;
+        let mut at = |node: usize| {
+            let part = node as f64 * step;
+            let run = self.before + self.length * if self.turned { 1.0 - part } else { part };
+            shape.at(run) * uneven.at(run)
+        };
+        let mut before = at(0);
+        for (piece, node) in pieces.iter_mut().zip(1..) {
+            let after = at(node);
+            *piece = [before, after];
+            before = after;
+        }
     }
 }
 
@@ -155,9 +158,6 @@ fn factor(spread: f64, key: Key, strand: usize, knot: u64) -> f64 {
 
 /// The part of the width that is left at the vertex of an end.
 fn faded(net: NetView<'_>, profile: &Profile, end: u32) -> f64 {
-    if profile.fade == 0.0 {
-        return 1.0;
-    }
     let p = net.vertices[net.vertex(end)];
     let nearest = |i: usize| {
         let (apart, period) = (p[i] - profile.source[i], net.period[i]);
@@ -190,7 +190,9 @@ impl Tip {
 struct Shape {
     full: f64,
     length: f64,
+    /// How far from its tips it is as wide as it gets, and 1 over that.
     reach: f64,
+    rate: f64,
     tips: [Tip; 2],
     abutting: f64,
 }
@@ -209,10 +211,12 @@ impl Shape {
             libm::pow(profile.shrink, f64::from(strands.generation[first as usize / 2]))
         };
         let full = profile.width * power(length / longest, profile.hierarchy) * shrunk;
+        let reach = profile.taper * length;
         Self {
             full: full * factor(profile.unevenness, key, strand, 0),
             length,
-            reach: profile.taper * length,
+            reach,
+            rate: 1.0 / reach,
             tips: [tip(first, here), tip(last ^ 1, there)],
             abutting: profile.abutting,
         }
@@ -229,9 +233,14 @@ impl Shape {
             return 1.0;
         }
         match tip {
-            Tip::Free => (distance / self.reach).sqrt(),
-            Tip::Abutting => self.abutting + (1.0 - self.abutting) * distance / self.reach,
+            Tip::Free => self.part(distance).sqrt(),
+            Tip::Abutting => self.abutting + (1.0 - self.abutting) * self.part(distance),
             Tip::Cut => 1.0,
         }
+    }
+
+    /// The part of the reach. Where that is next to none its inverse is infinite, and no distance in it no number.
+    fn part(&self, distance: f64) -> f64 {
+        (distance * self.rate).max(0.0).min(1.0)
     }
 }

@@ -10,7 +10,7 @@ use super::look::{Place, rate};
 use super::maps::{Line, Maps};
 use super::near::CODES;
 use super::nearest::{PAGE, Page, Set};
-use super::noise::Value;
+use super::noise::{Held, Stretch, Values};
 use super::piece::Piece;
 use super::plates::Plate;
 use super::scene::Scene;
@@ -20,6 +20,8 @@ use super::scene::Scene;
 pub(super) struct Leaf {
     pub(super) page: Page,
     pub(super) labels: Labels,
+    /// What is kept of the noises, octave by octave.
+    pub(super) held: Vec<Held>,
     /// The first pixel, from the top left corner of the picture.
     pub(super) corner: [i64; 2],
     /// The first column within the run.
@@ -66,15 +68,15 @@ type Known<'a> = (Option<&'a [u8]>, Option<&'a [u32]>);
 /// What one thread keeps from row to row.
 #[derive(Debug)]
 pub(super) struct Rows {
-    pub(super) grain: Vec<Value>,
-    pub(super) mottle: Vec<Value>,
-    pub(super) chip: Vec<Value>,
+    pub(super) grain: Values,
+    pub(super) mottle: Values,
+    pub(super) chip: Values,
     pub(super) line: Line,
 }
 
 impl Rows {
     pub(super) fn new() -> Self {
-        let row = || vec![Value::default(); PAGE];
+        let row = || Values::new(PAGE);
         Self { grain: row(), mottle: row(), chip: row(), line: Line::default() }
     }
 }
@@ -141,7 +143,7 @@ impl Scene<'_> {
         rows: &mut Rows,
         maps: &mut Maps<'_>,
     ) {
-        let Leaf { page, labels, corner, at, width, is_level } = leaf;
+        let Leaf { page, labels, held, corner, at, width, is_level } = leaf;
         let (start, width) = (*at, *width);
         if *is_level {
             return self.level(start..start + width, maps);
@@ -157,7 +159,7 @@ impl Scene<'_> {
         }
         self.labels(&row, labels, maps);
         if self.wants.profile || self.wants.look {
-            self.noises(corner, width, rows);
+            self.noises(corner, width, held, rows);
         }
         if self.wants.profile {
             self.relief(simd, &row, rows, maps);
@@ -177,11 +179,20 @@ impl Scene<'_> {
         maps.generation.iter_mut().for_each(|map| map[at(1)].fill(-1));
     }
 
-    fn noises(&self, corner: [i64; 2], width: usize, rows: &mut Rows) {
-        let kinds = [(&self.grain, &mut rows.grain), (&self.mottle, &mut rows.mottle), (&self.chip, &mut rows.chip)];
-        for (octaves, row) in kinds {
-            for (nth, octave) in octaves.iter().enumerate() {
-                octave.add(corner[1], corner[0], &mut row[..width], nth == 0);
+    #[inline(always)]
+    fn noises(&self, corner: [i64; 2], width: usize, held: &mut Vec<Held>, rows: &mut Rows) {
+        let sloped = self.wants.profile;
+        let kinds = [
+            (&self.grain, &mut rows.grain, sloped),
+            (&self.mottle, &mut rows.mottle, false),
+            (&self.chip, &mut rows.chip, sloped),
+        ];
+        held.resize_with(kinds.iter().map(|kind| kind.0.len()).sum(), Held::default);
+        let mut held = held.iter_mut();
+        for (octaves, row, sloped) in kinds {
+            row.clear();
+            for (octave, held) in octaves.iter().zip(&mut held) {
+                octave.add(Stretch { corner, width, sloped }, held, row);
             }
         }
     }
@@ -203,7 +214,7 @@ impl Scene<'_> {
     /// Signed distance to the crack where chips have widened it.
     #[inline(always)]
     pub(super) fn chipped(&self, distance: f32, chip: f32) -> f32 {
-        let deep = if chip > 0.0 { chip } else { 0.0 };
+        let deep = unit(chip);
         distance - self.chip_depth * deep * deep
     }
 
@@ -223,12 +234,12 @@ impl Scene<'_> {
     fn tones(&self, row: &Row<'_>, rows: &Rows, maps: &mut Maps<'_>) {
         let tinted = self.look.tint != 0.0;
         for (x, &distance) in row.distance.iter().enumerate() {
-            let distance = self.chipped(distance, rows.chip[x].value);
+            let distance = self.chipped(distance, rows.chip.value[x]);
             let covered = row.mask.map_or(0.0, |mask| f32::from(mask[x]) / 255.0);
             let chipped = unit(0.5 - distance);
             let crack = if self.chip_depth > 0.0 && chipped > covered { chipped } else { covered };
             let tint = if tinted { self.plate(row, x).map_or(0.0, |plate| plate.tint) } else { 0.0 };
-            let (mottle, grain) = (rows.mottle[x].value, rows.grain[x].value);
+            let (mottle, grain) = (rows.mottle.value[x], rows.grain.value[x]);
             let place = Place { distance, crack, tint, dirt_rate: self.dirt_rate(row, x, distance), mottle, grain };
             if let Some(out) = stretch(&mut maps.color, row, 3) {
                 out[3 * x..3 * x + 3].copy_from_slice(&self.look.color(&place));

@@ -111,7 +111,7 @@ impl Look {
     pub(super) fn wear(&self, place: &Place) -> f32 {
         let outside = if place.distance > 0.0 { place.distance } else { 0.0 };
         let near = unit(1.0 - outside * self.wear_rate);
-        self.wear * near * near * (0.5 + 0.5 * place.mottle) * (1.0 - place.crack)
+        self.wear * near * near * unit(0.5 + 0.5 * place.mottle) * (1.0 - place.crack)
     }
 
     /// The colour, without light or shadow.

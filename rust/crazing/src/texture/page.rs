@@ -109,7 +109,15 @@ impl Scene<'_> {
 
 impl Leaf {
     fn new() -> Self {
-        Self { page: Page::new(), labels: Labels::default(), corner: [0; 2], at: 0, width: 0, is_level: false }
+        Self {
+            page: Page::new(),
+            labels: Labels::default(),
+            held: Vec::new(),
+            corner: [0; 2],
+            at: 0,
+            width: 0,
+            is_level: false,
+        }
     }
 }
 

@@ -46,8 +46,8 @@ impl Profile {
         let top = (1.0 - above).clamp(0.0, 1.0);
         Self {
             top,
-            // Deeper ones would be cut off at height 0.
-            depth: material.depth.min(top),
+            // Deeper ones would be cut off at height 0, grain and all.
+            depth: material.depth.min((top - material.grain).max(0.0)),
             roundness: material.roundness,
             rim: if rim_width > 0.0 { material.rim } else { 0.0 },
             rim_rate: rate(material.rim_width),

@@ -3,7 +3,7 @@
 use pulp::Simd;
 
 use super::beneath::{Beneath, Discs, GROUP, Group, group};
-use super::finish::{Row, Rows, stretch};
+use super::finish::{Row, Rows, stretch, unit};
 use super::lanes::{Number, Several};
 use super::maps::Maps;
 use super::noise::Value;
@@ -26,6 +26,9 @@ struct Ground {
     /// How much higher than usual the plate is, and how that changes.
     rise: Group,
     slope: [Group; 2],
+    /// The grain, of plates and cracks alike.
+    grain: Group,
+    grain_slope: [Group; 2],
     curl: Group,
 }
 
@@ -86,8 +89,9 @@ impl Scene<'_> {
         if self.chip.is_empty() {
             return;
         }
-        for (lane, chip) in rows.chip[first..].iter().take(GROUP).enumerate() {
-            let deep = 2.0 * self.chip_depth * if chip.value > 0.0 { chip.value } else { 0.0 };
+        for lane in 0..GROUP.min(rows.chip.value.len() - first) {
+            let chip = rows.chip.at(first + lane);
+            let deep = 2.0 * self.chip_depth * if chip.value < 1.0 { unit(chip.value) } else { 0.0 };
             ground.distance[lane] = self.chipped(ground.distance[lane], chip.value);
             ground.chips[0][lane] = deep * chip.slope[0];
             ground.chips[1][lane] = deep * chip.slope[1];
@@ -103,23 +107,25 @@ impl Scene<'_> {
         for (lane, x) in (first..row.width().min(first + GROUP)).enumerate() {
             let plate = self.plate(row, x);
             let place = if self.tilt == 0.0 { [0.0; 2] } else { self.on_own_plate(row, x) };
-            let rise = self.rise(plate.map(|plate| (plate, place)), rows.grain[x]);
+            let (rise, grain) = (self.rise(plate.map(|plate| (plate, place))), rows.grain.at(x));
             ground.rise[lane] = rise.value;
             (ground.slope[0][lane], ground.slope[1][lane]) = (rise.slope[0], rise.slope[1]);
+            ground.grain[lane] = grain.value * self.grain_height;
+            for axis in 0..2 {
+                ground.grain_slope[axis][lane] = grain.slope[axis] * self.grain_height;
+            }
             ground.curl[lane] = self.profile.curl * plate.map_or(1.0, |plate| 1.0 - self.curl_spread * plate.curl);
         }
     }
 
     /// How much higher than usual a plate is at a pixel.
-    fn rise(&self, plate: Option<(&Plate, [f32; 2])>, grain: Value) -> Value {
-        let mut rise =
-            Value { value: grain.value * self.grain_height, slope: grain.slope.map(|by| by * self.grain_height) };
-        let Some((plate, place)) = plate else { return rise };
-        rise.value += plate.level * self.level;
+    fn rise(&self, plate: Option<(&Plate, [f32; 2])>) -> Value {
+        let Some((plate, place)) = plate else { return Value::default() };
+        let mut rise = Value { value: plate.level * self.level, slope: [0.0; 2] };
         if self.tilt != 0.0 {
             let by = plate.tilt.map(|part| part * self.tilt);
             rise.value += place[0] * by[0] + place[1] * by[1];
-            rise.slope = [rise.slope[0] + by[0] * self.data, rise.slope[1] - by[1] * self.data];
+            rise.slope = [by[0] * self.data, -by[1] * self.data];
         }
         rise
     }
@@ -140,20 +146,22 @@ impl Scene<'_> {
         let (zero, one) = (distance.like(0.0), distance.like(1.0));
         let reach = distance.like(if self.plain { self.profile.reach } else { f32::INFINITY });
         let near = Several::load(simd, &ground.bare, at).is_below(reach);
+        let height = found.height + Several::load(simd, &ground.grain, at);
         if sky {
             let sky = self.profile.sky(distance, radius, found.height, rise);
             sky.where_(near, one).store(&mut relief.sky, at);
         }
-        found.height.unit().where_(near, distance.like(self.profile.top)).store(&mut relief.height, at);
+        height.unit().where_(near, distance.like(self.profile.top)).store(&mut relief.height, at);
         if normal {
             let (by_place, grows) = (discs.by_place(), discs.grows());
             let chips = [Several::load(simd, &ground.chips[0], at), Several::load(simd, &ground.chips[1], at)];
             let by_plate = [Several::load(simd, &ground.slope[0], at), Several::load(simd, &ground.slope[1], at)];
             // Where the range of heights ends, it is level.
             let pixels = distance.like(self.profile.relief);
-            let pixels = pixels.where_(zero.is_below(found.height), zero).where_(found.height.is_below(one), zero);
-            let x = found.slope(by_place[0] - chips[0], grows[0], by_plate[0]) * pixels;
-            let y = found.slope(by_place[1] - chips[1], grows[1], by_plate[1]) * pixels;
+            let pixels = pixels.where_(zero.is_below(height), zero).where_(height.is_below(one), zero);
+            let grain = [0, 1].map(|axis| Several::load(simd, &ground.grain_slope[axis], at));
+            let x = (found.slope(by_place[0] - chips[0], grows[0], by_plate[0]) + grain[0]) * pixels;
+            let y = (found.slope(by_place[1] - chips[1], grows[1], by_plate[1]) + grain[1]) * pixels;
             let length = one / (x * x + y * y + one).root();
             (-x * length).where_(near, zero).store(&mut relief.normal[0], at);
             (y * length).where_(near, zero).store(&mut relief.normal[1], at);

@@ -53,19 +53,22 @@ impl Bridge {
     }
 }
 
-/// Heights along an edge; from one level to the next deviation is `next` as large.
-pub(super) fn wavy(heights: &mut [f64], mut spread: f64, next: f64, key: Key, edge: usize) {
+/// Heights along an edge, with room for as many numbers; from one level to the next deviation is `next` as large.
+///
+/// Numbers are drawn level by level: an edge that is halved once more keeps all the heights it had.
+pub(super) fn wavy(heights: &mut [f64], numbers: &mut [f64], mut spread: f64, next: f64, key: Key, edge: usize) {
     let count = heights.len() - 1;
-    // At every place its own number stands until the place is come to; that at the first end is not used.
-    Noise::fill(key, edge, 2, &mut heights[..count]);
+    // The first is not used; from there on there are twice as many from level to level.
+    Noise::fill(key, edge, 2, numbers);
     (heights[0], heights[count]) = (0.0, 0.0);
-    let mut stretch = count;
+    let (mut stretch, mut level) = (count, 1);
     while stretch > 1 {
-        for middle in (stretch / 2..count).step_by(stretch) {
+        let own = &numbers[level..2 * level];
+        for (middle, number) in (stretch / 2..count).step_by(stretch).zip(own) {
             let between = 0.5 * (heights[middle - stretch / 2] + heights[middle + stretch / 2]);
-            heights[middle] = between + spread * heights[middle];
+            heights[middle] = between + spread * number;
         }
         spread *= next;
-        stretch /= 2;
+        (stretch, level) = (stretch / 2, 2 * level);
     }
 }

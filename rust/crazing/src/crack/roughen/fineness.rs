@@ -5,7 +5,7 @@ use crate::crack::bow::Bow;
 use crate::crack::room::Room;
 
 /// Most halvings of one edge.
-pub(super) const DEEPEST: u32 = 8;
+pub(super) const DEEPEST: u32 = 12;
 /// An edge is not subdivided when its kite is thinner than this part of its length: roundings could leave it.
 const THIN: f64 = 1e-6;
 /// Pieces whose middle lies off their chord by less than these parts of the grain are not halved: as far as they wander,

@@ -5,6 +5,9 @@ use crate::crack::strand::Strands;
 use crate::parallel;
 use crate::rng::Key;
 
+/// Numbers from here on are whole.
+const WHOLE: f64 = (1_u64 << 53) as f64;
+
 /// The factors at the knots of all strands.
 pub(super) struct Knots {
     spread: f64,
@@ -81,8 +84,9 @@ impl Uneven<'_> {
             return 1.0;
         }
         let part = run / unit;
-        let whole = part.floor();
-        let knot = whole as u64;
+        let knot = part as u64;
+        // What no whole number of 64 bits is near is whole itself.
+        let whole = if part < WHOLE { knot as f64 } else { part.floor() };
         if self.last != Some(knot) {
             self.last = Some(knot);
             self.ends = match usize::try_from(knot).ok().and_then(|knot| self.known.get(knot..)?.get(..2)) {
