@@ -18,6 +18,7 @@ from crazing import rng as _rng
 from crazing.crack import Crack
 from crazing.errors import CrazingError
 from crazing.material import Material, preset_material
+from crazing.recipe import SEEN
 from crazing.recipe import preset as _preset
 from crazing.recipe import presets as _presets
 from crazing.record import equal
@@ -233,7 +234,8 @@ class Dataset(Sequence[LabelledImage]):
         drawn = self.drawn(index)
         height, width = self.size
         bounds = (0.0, 0.0, width / height, 1.0)
-        crack = _preset(drawn["preset"]).replace(n=drawn["plates"]).crack(bounds=bounds, rng=self._seed(index, 1))
+        recipe = _preset(drawn["preset"]).replace(n=drawn["plates"])
+        crack = recipe.crack(bounds=bounds, detail=SEEN / height, rng=self._seed(index, 1))
         maps = ("color", "normal", "height", "ao", "roughness", *sorted({LABELS[name] for name in self.labels}))
         shown = texture(crack, self.size, maps=maps, material=_material(drawn["preset"]), bounds=bounds, threads=1)
         image = shown.lit(light=drawn["light"], exposure=drawn["exposure"])

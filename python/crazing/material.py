@@ -56,13 +56,14 @@ class Material:
     tilt, level : float
         How far the corners of a plate may rise by tilting, and whole plates by lying higher than others.
     grain, grain_size : float
-        Height of a fine grain, and its size, in plates.
+        Height of a fine grain of plates and cracks, and the size of its largest grains, in plates. As chips and
+        patches, it has ever finer parts down to two pixels: a larger picture shows more of it.
     plate : sequence of colours
         A ramp of colours of the plates.
     tint, mottle, speckle : float
         How far along the ramp plates differ from each other, large patches do, and the grain does.
     mottle_size : float
-        Size of the patches, in plates.
+        Size of the largest patches, in plates.
     crack : colour
         Inside the cracks.
     dirt, dirt_amount, dirt_width : colour, float, float

@@ -67,6 +67,8 @@ _RANGES: dict[str, tuple[float, float]] = {
 }
 _WORDS = {"generator": GENERATORS, "sampler": SAMPLERS, "tree": TREES}
 
+#: Rough cracks look rough where no straight piece is longer than this, pixels: the `detail` of pictures.
+SEEN = 3.0
 #: Within so many spacings to both sides a crack that turns back is a hook.
 HOOK = 1.5
 #: Within this part of the smaller side of the bounds about the source cracks are widest.
@@ -594,5 +596,6 @@ def crack(
         raise TypeError(f"points is {points!r}; coordinates are wanted; a kind of crack is named by preset={points!r}")
     if points is not None and n is not None:
         raise ValueError("points and n are both given; n is for uniform points without points")
-    frame = {"bounds": bounds, "period": period, "detail": detail}
-    return recipe.crack(points, width=width, source=source, density=density, **frame, rng=rng)
+    return recipe.crack(
+        points, width=width, source=source, density=density, bounds=bounds, period=period, detail=detail, rng=rng
+    )

@@ -16,6 +16,8 @@ MAPS = ("color", "mask", "height", "normal", "ao", "roughness")
 COLUMNS = 4
 CAPTION = 22
 SEED = 11
+#: Rough cracks are cut as finely as in a picture of 1024 pixels.
+DETAIL = 3 / 1024
 
 
 def pattern(name: str) -> cz.Crack:
@@ -25,9 +27,9 @@ def pattern(name: str) -> cz.Crack:
     """
     recipe, seed = cz.preset(name), SEED + cz.presets().index(name)
     try:
-        return recipe.crack(rng=seed, period=(1.0, 1.0))
+        return recipe.crack(rng=seed, period=(1.0, 1.0), detail=DETAIL)
     except ValueError:
-        return recipe.crack(rng=seed)
+        return recipe.crack(rng=seed, detail=DETAIL)
 
 
 def sheet(pictures: dict[str, np.ndarray], side: int) -> Image.Image:

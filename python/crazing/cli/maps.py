@@ -17,12 +17,10 @@ from crazing.arguments import meant
 from crazing.cli.progress import rows
 from crazing.material import preset_material
 from crazing.pictures.output import is_file, refuse_others, words
+from crazing.recipe import SEEN
 
 #: What a folder gets when no maps are named; a single file gets the colour.
 USUAL = ("color", "normal", "height", "ao", "roughness")
-
-#: Rough cracks have no straight pieces longer than this, pixels.
-SEEN = 3.0
 
 #: Fields of a recipe by the options that set them, and those that only walls of a maze have.
 _OPTIONS = {"n": "--sites", "sampler": "--distribution", "opening": "--opening"}
