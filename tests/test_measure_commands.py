@@ -61,6 +61,15 @@ def test_a_fit_to_a_file_of_any_name_is_written(folder: Path) -> None:
     assert cz.Recipe.load(folder / "mine.toml").title == "Fit to caf?.png"
 
 
+def test_a_frame_is_told(folder: Path) -> None:
+    """It closes what goes on outside: of a mask with an opening of .66 a fit said .30."""
+    framed = np.pad(stamp(cz.crack(n=60, opening=0.6, rng=1), 300), 3, constant_values=True)
+    cz.save_png(folder / "framed.png", framed)
+    for words in (("measure",), ("fit", "--budget", "0", "-o", "mine.toml")):
+        assert "Note: framed.png is crack all along its sides" in run(folder, *words, "framed.png").stderr
+        assert run(folder, *words, "mask.png").stderr == ""
+
+
 def test_measure_writes_what_it_prints(folder: Path) -> None:
     shown = run(folder, "measure", "mask.png", "--json", "-o", "found.json")
     assert (folder / "found.json").read_text() == shown.stdout

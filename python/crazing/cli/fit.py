@@ -12,7 +12,7 @@ from pathlib import Path
 import click
 
 import crazing
-from crazing.cli.measure import doubt, mask_options
+from crazing.cli.measure import doubt, mask_options, note_frame
 from crazing.cli.output import Seed, ending_in
 from crazing.cli.progress import is_watched
 from crazing.images import read_image
@@ -51,6 +51,7 @@ def command(
     picture = as_mask(read_image(mask), level=level, dark=dark)
     if words := doubt(picture, mask, level=level, dark=dark):
         raise click.ClickException(words)
+    note_frame(picture, mask)
     reached = math.nan
     with _bar(budget) as show:
 

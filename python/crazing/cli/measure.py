@@ -21,6 +21,8 @@ from crazing.targets import Targets
 
 #: From so many pieces on, and with so few junctions a piece, lines are taken to have fallen apart.
 _MANY, _JOINED = 20, 0.25
+#: From this part of every side on, a picture is taken to have a frame.
+_FRAMED = 0.95
 
 
 def mask_options(function: click.decorators.FC) -> click.decorators.FC:
@@ -44,6 +46,12 @@ def doubt(mask: NDArray[np.bool_], name: str, *, level: float, dark: bool) -> st
         other = "without --dark, what is bright" if dark else "with --dark, what is dark"
         return f"{share:.0%} of {name} is taken for crack; {other} would be."
     return None
+
+
+def note_frame(mask: NDArray[np.bool_], name: str) -> None:
+    """Says that a picture has a frame: it closes plates that go on outside, and is as long as several cracks."""
+    if all(side.mean() > _FRAMED for side in (mask[0], mask[-1], mask[:, 0], mask[:, -1])):
+        click.echo(f"Note: {name} is crack all along its sides: its frame counts as cracks. Cut it off.", err=True)
 
 
 @click.command("measure")
@@ -92,6 +100,8 @@ def command(
         picture = as_mask(read_image(mask), level=level, dark=dark)
         if words := doubt(picture, mask, level=level, dark=dark):
             click.echo(f"Note: {words}", err=True)
+        else:
+            note_frame(picture, mask)
         begin("measuring")
         found = crazing.measure(picture, spur=spur, merge=merge, border=border, reach=reach)
     if found.components >= _MANY and found.junctions < _JOINED * found.components:
