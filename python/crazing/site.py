@@ -70,11 +70,8 @@ class Site:
             (x, y), _ = self.centre(box)
             drawing = steps.impact(r.n, source=(x, y), speed=r.speed, arcs=r.arcs, rng=seed, **where)
             wide, high = box[2] - box[0], box[3] - box[1]
-            if self.period is None:
-                # There is room all about.
-                fence = fenced(drawing.net, (box[0] - wide, box[1] - high, box[2] + wide, box[3] + high))
-            else:
-                fence = fenced_torus(drawing.net, (x - wide / 2, y - high / 2))
+            of_torus = self.period is not None
+            fence = fenced_torus(drawing.net, (x - wide / 2, y - high / 2)) if of_torus else fenced(drawing.net, box)
             drawing = replace(drawing, fence=fence)
         else:
             drawing = steps.split(
