@@ -188,6 +188,8 @@ class Site:
         if self.recipe.patchiness:
             field = Patches.of(patch, self.period, seed).over(u, v, frame.matrix, frame.centre)
             found = found * _steady(np.exp(self.recipe.patchiness * _steady(field)))
+        if not found.any():
+            raise CrazingError("density is 0 everywhere; a place where it is more is wanted")
         return np.ascontiguousarray(found)
 
     def _falloff_at(self, places: NDArray[np.float64], bounds: _Bounds) -> Any:

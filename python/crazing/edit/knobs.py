@@ -165,7 +165,7 @@ _FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
     "shrink": ("Shrink", (0, 1, 0.01), "Width from a generation to the next"),
     "taper": ("Taper", (0, 1, 0.01), "The part over which a tip runs out"),
     "abutting": ("Abutting", (0, 1, 0.01), "Width where a crack meets another"),
-    "unevenness": ("Unevenness", (0, 1, 0.01), "Of width along a crack"),
+    "unevenness": ("Unevenness", (0, 1, 0.01), "Of width, from crack to crack and along them"),
     "fade": ("Fade", (0, 8, 0.1), "Thinner away from the middle"),
     "variant": ("Variant", (0, 20, 1), "Another pattern of the same seed"),
 }
