@@ -5,6 +5,7 @@ from __future__ import annotations
 import networkx as nx
 import numpy as np
 import pytest
+import shapely
 from numpy.typing import NDArray
 
 import crazing as cz
@@ -105,3 +106,41 @@ def test_too_few_points_make_few_cracks(points: list[tuple[float, float]]) -> No
 def test_points_and_n_exclude_each_other() -> None:
     with pytest.raises(ValueError, match="points and n are both given"):
         cz.crack([(0, 0), (1, 0), (0, 1)], n=5)
+
+
+@pytest.mark.parametrize("anisotropy", [1.0, 2.0])
+def test_points_on_a_torus_are_relaxed_and_stretched_as_in_the_plane(anisotropy: float) -> None:
+    """They were refused: the box about them was no period, and bounds could not be given beside one."""
+    points = cz.sample.uniform(150, bounds=(0, 0, 2, 1), rng=1)
+    how = {"opening": 0.0, "period": (2.0, 1.0), "anisotropy": anisotropy, "rng": 1}
+    plain, relaxed = (cz.crack(points, relax=relax, **how) for relax in (0, 4))
+    assert plain.bounds == relaxed.bounds == (0, 0, 2, 1)
+    # With every plate closed: Euler on a torus, e - v = cells.
+    assert all(len(c.graph.edges) - len(c.graph.vertices) == 150 for c in (plain, relaxed))
+    areas = [cz.measure(c).cell_cv for c in (plain, relaxed)]
+    assert areas[1] < 0.6 * areas[0]
+
+
+def test_points_of_ones_own_are_relaxed_where_plates_are_stretched() -> None:
+    points = cz.sample.uniform(200, rng=2)
+    how = {"opening": 0.0, "anisotropy": 2.0, "bounds": (0, 0, 1, 1), "rng": 1}
+    plain, relaxed = (cz.measure(cz.crack(points, relax=relax, **how)) for relax in (0, 5))
+    assert relaxed.cell_cv < 0.6 * plain.cell_cv
+
+
+@pytest.mark.parametrize("points", [[], [(0, 0)], [(0, 0), (1, 0)], [(3, 3)] * 5])
+def test_few_points_are_relaxed_to_few_cracks(points: list[tuple[float, float]]) -> None:
+    assert len(cz.crack(points, relax=1, rng=0).graph.edges) == 0
+
+
+def test_geometries_are_relaxed() -> None:
+    points = cz.sample.uniform(50, rng=1)
+    assert cz.crack(shapely.MultiPoint(points), relax=1, rng=1) == cz.crack(points, relax=1, rng=1)
+
+
+@pytest.mark.parametrize("anisotropy", [1.0, 3.0])
+def test_bounds_about_points_are_the_same_whether_plates_are_stretched_or_not(anisotropy: float) -> None:
+    points = cz.sample.uniform(60, bounds=(5, 5, 9, 7), rng=2)
+    c = cz.crack(points, anisotropy=anisotropy, angle=30, rng=1)
+    assert c.bounds == cz.crack(points, rng=1).bounds
+    assert on_bounds(c).any()

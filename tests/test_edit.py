@@ -86,6 +86,21 @@ def test_knobs_refuse_what_they_do_not_take(panel: str, name: str, value: Any) -
         knobs.read({panel: {name: value}})
 
 
+def test_a_recipe_takes_whatever_its_knobs_can_be_set_to() -> None:
+    """The stretch of plates went down to a tenth on the page, and what it was set to below 1 was refused."""
+    for knob in knobs.CRACK:
+        for end in (knob.low, knob.high) if knob.name in knobs.recipe_fields() and not knob.choices else ():
+            value = int(end) if knob.kind == "count" else end
+            assert getattr(cz.Recipe().replace(**{knob.name: value}), knob.name) == value
+            assert knob.help or knob.name == "n"
+
+
+@pytest.mark.parametrize(("mode", "what"), [("maze", "recipe"), ("skeleton", "texture"), ("compare", "lit")])
+def test_a_mode_has_its_own_files(mode: str, what: str) -> None:
+    reply = asked(Session(), "export", raw(STAR), what=what, mode=mode)
+    assert f"what is '{what}'; one of 'png', 'svg', 'dxf' is wanted" in reply.content["message"]
+
+
 def test_limits_hold() -> None:
     session = Session()
     reply = asked(session, "export", raw(STAR), what="png", size=10**6, mode="crack")

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 import crazing as cz
+from crazing.cli.fit import command
 from crazing.measure import stamp
 
 
@@ -32,6 +35,39 @@ def test_measure_prints_a_table_and_json(folder: Path) -> None:
     found = json.loads(run(folder, "measure", "mask.png", "--json").stdout)
     exact = cz.measure(stamp(cz.crack(n=60, opening=0.6, rng=1), 300))
     assert found["t_share"] == exact.t_share and found["mask"] == "mask.png"
+
+
+def test_ranges_of_a_preset_are_compared_with_too(folder: Path) -> None:
+    """Of a preset without measured masks, as most are, nothing at all was said."""
+    within = cz.targets("glaze").within(cz.measure(stamp(cz.crack(n=60, opening=0.6, rng=1), 300)))
+    shown = run(folder, "measure", "mask.png", "--preset", "glaze").stdout
+    assert f"{sum(within.values())} of {len(within)} in the ranges of glaze" in shown
+    assert all((f"{name} is not from " in shown) != met for name, met in within.items())
+    told = json.loads(run(folder, "measure", "mask.png", "--preset", "glaze", "--json").stdout)
+    assert told["within"] == within and told["deviations"] == {} and not all(within.values())
+
+
+def test_a_fit_asks_first_whether_its_file_can_be_written(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("os.access", lambda *_: False)
+    monkeypatch.chdir(folder)
+    done = CliRunner().invoke(command, ["mask.png", "-o", "mine.toml"])
+    assert done.exit_code == 2 and "the folder of 'mine.toml' cannot be written to" in done.output
+
+
+def test_a_fit_to_a_file_of_any_name_is_written(folder: Path) -> None:
+    name = os.fsdecode(b"caf\xe9.png")
+    (folder / "mask.png").rename(folder / name)
+    assert run(folder, "fit", name, "--budget", "0", "-o", "mine.toml").returncode == 0
+    assert cz.Recipe.load(folder / "mine.toml").title == "Fit to caf?.png"
+
+
+def test_a_frame_is_told(folder: Path) -> None:
+    """It closes what goes on outside: of a mask with an opening of .66 a fit said .30."""
+    framed = np.pad(stamp(cz.crack(n=60, opening=0.6, rng=1), 300), 3, constant_values=True)
+    cz.save_png(folder / "framed.png", framed)
+    for words in (("measure",), ("fit", "--budget", "0", "-o", "mine.toml")):
+        assert "Note: framed.png is crack all along its sides" in run(folder, *words, "framed.png").stderr
+        assert run(folder, *words, "mask.png").stderr == ""
 
 
 def test_measure_writes_what_it_prints(folder: Path) -> None:

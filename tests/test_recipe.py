@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import os
 from itertools import combinations
 from pathlib import Path
 
@@ -111,7 +112,8 @@ FAULTS = {
     "title = 3\n[recipe]": (TypeError, r"mine.toml: title is 3; text"),
     "[targets]\nn = 1": (ValueError, r"mine.toml has no table \[recipe\]; it has targets"),
     "": (ValueError, r"mine.toml has no table \[recipe\]; it has nothing"),
-    "recipe = 3": (ValueError, r"mine.toml has no table \[recipe\]"),
+    "recipe = 3": (ValueError, r"mine.toml: recipe is 3; one table \[recipe\] is wanted"),
+    "[[recipe]]\nn = 9": (ValueError, r"mine.toml: recipe is \[{'n': 9}\]; one table \[recipe\] is wanted"),
     "recipe = [": (ValueError, r"mine.toml is no TOML file"),
     "\udcff": (ValueError, r"mine.toml is no TOML file"),
 }
@@ -124,6 +126,21 @@ def test_faults_of_a_file_are_named(tmp_path: Path, text: str) -> None:
     path.write_bytes(text.encode("utf-8", "surrogateescape"))
     with pytest.raises(error, match=message):
         cz.Recipe.load(path)
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig"])
+def test_files_of_any_editor_are_read(tmp_path: Path, encoding: str, end: str) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_bytes(f'title = "é"{end}[recipe] # mine{end}n = 9{end}'.encode(encoding))
+    assert dataclasses.astuple(cz.Recipe.load(path)) == dataclasses.astuple(cz.Recipe(title="é", n=9))
+
+
+def test_a_title_of_no_text_is_still_written(tmp_path: Path) -> None:
+    """The name of a file, of which a fit makes its title, may be of any bytes."""
+    recipe = cz.Recipe(title=os.fsdecode(b"Fit to caf\xe9.png"))
+    recipe.save(tmp_path / "mine.toml")
+    assert cz.Recipe.load(tmp_path / "mine.toml").title == recipe.title == "Fit to caf?.png"
 
 
 def test_other_faults_are_named(tmp_path: Path) -> None:

@@ -17,10 +17,12 @@ Rows = NDArray[np.int64]
 
 
 def fenced(net: Net, box: Sequence[float]) -> Fence:
-    """The triangles about edges in the plane, in a box that holds them all."""
+    """The triangles about edges in the plane, in a box that holds them all: none leaves it."""
     vertices, edges, *_ = net
     xmin, ymin, xmax, ymax = box
-    anchors = np.array([(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)])
+    corners = [(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)]
+    taken = set(map(tuple, vertices[(vertices == (xmin, ymin)).any(axis=1) | (vertices == (xmax, ymax)).any(axis=1)]))
+    anchors = np.array([corner for corner in corners if corner not in taken]).reshape(-1, 2)
     kites = _led(_kites(diagram(np.concatenate([vertices, anchors]), constraints=edges)), edges.astype(np.int64))
     return anchors, np.ascontiguousarray(kites, dtype=np.int32), np.zeros((0, 6), dtype=np.int8)
 

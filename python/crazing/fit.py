@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import math
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -15,16 +17,22 @@ from crazing.arguments import count, number
 from crazing.errors import CrazingError
 from crazing.measure import BORDER, as_mask, measure
 from crazing.recipe import Recipe
-from crazing.search import Progress, minimize
+from crazing.search import CANDIDATES, Progress, minimize
 from crazing.statistics import CAP, LEAST_DEVIATION, SCORED, CrackStatistics
 
 #: Pixels of a crop, as in the published figures, and most crops along each side.
 CROP, MOST_CROPS = 800, 3
 #: Patterns an evaluation measures; the same seeds for every recipe, so that differences are the recipes' own.
 PATTERNS = 3
+#: So many times as many patterns choose among the best recipes.
+FRESH = 3
 #: What a fit begins with of steps that a default recipe does without: a little of each, as what there is none of
 #: shows nothing of how it would be.
 _LIKELY = {"stubs": 0.15, "patchiness": 0.4, "roughness": 0.03, "hairpin": 125.0, "unbend": 2}
+#: Lines of one or two pixels measure 2 across, those of three 4; of thin ones that are all alike no widths are known.
+THIN, UNEVEN = 3.0, 0.05
+#: Patterns whose cracks are all alike, drawn and measured, have up to so wide ones for those in the middle.
+ALIKE = 1.2
 #: What a fit weighs besides what is scored: how dense and how wide cracks are.
 DENSITY = ("segment_length", "intensity", "width")
 
@@ -107,7 +115,9 @@ def fit(
     budget : int, optional
         Recipes that are tried, some three patterns each; 0 gives the first guess.
     seconds : float, optional
-        Most time. With it the result depends on the machine; without, the same seed gives the same recipe.
+        Most time, of which the last part goes to a choice among the best recipes by fresh patterns; what is being
+        measured then is finished. With it the result depends on the machine; without, the same seed gives the same
+        recipe.
     rng : int, numpy.random.Generator or None, optional
         Seed.
     progress : callable, optional
@@ -132,8 +142,8 @@ def fit(
     of each mean stands for it, and patterns of one and the same recipe then score about 1 against one another: a recipe
     that scores 1 against the mask is as near as its own kind.
 
-    A mask of lines one pixel wide says nothing of widths: then `thickness`, `hierarchy` and `taper` stay as they are by
-    default. See :func:`crazing.measure` for what is measured.
+    A mask of lines one or two pixels wide says nothing of widths: then `thickness`, `hierarchy` and `taper` stay as
+    they are by default. See :func:`crazing.measure` for what is measured.
 
     Examples
     --------
@@ -143,8 +153,9 @@ def fit(
     >>> 0.3 < cz.fit(mask, budget=0).opening < 0.8
     True
     """
+    began = time.monotonic()
     budget = count(budget, "budget", high=1 << 20)
-    seconds = None if seconds is None else number(seconds, "seconds", low=0)
+    ending = None if seconds is None else began + number(seconds, "seconds", low=0)
     cracked = as_mask(mask, level=level, dark=dark)
     if (share := float(cracked.mean())) > 0.5:
         raise ValueError(
@@ -172,11 +183,30 @@ def fit(
     start = np.array([_start(axis, guess) for axis in trial.axes])
     spread = np.array([axis.spread for axis in trial.axes])
     candidates = minimize(
-        trial.deviations, start, spread, budget=budget, loss=_lure, seconds=seconds, rng=seed, progress=progress
+        trial.deviations,
+        start,
+        spread,
+        budget=budget,
+        loss=_lure,
+        ending=ending,
+        spared=CANDIDATES * FRESH,
+        rng=seed,
+        progress=progress,
     )
     # By patterns that the search has not seen: the best of many is also the luckiest.
-    fresh = dataclasses.replace(trial, seeds=tuple(_words(seed, 3 * PATTERNS)))
-    return fresh.recipe(min(candidates, key=fresh.distance))
+    fresh = dataclasses.replace(trial, seeds=tuple(_words(seed, FRESH * PATTERNS)))
+    return trial.recipe(_nearest(candidates, fresh, ending))
+
+
+def _nearest(candidates: Sequence[NDArray[np.float64]], trial: _Trial, ending: float | None) -> NDArray[np.float64]:
+    """The candidate whose patterns are nearest, among those that there is time for; the first if there is none."""
+    nearest, least = candidates[0], math.inf
+    for point in candidates:
+        if ending is not None and time.monotonic() > ending:
+            break
+        if (far := trial.distance(point)) < least:
+            nearest, least = point, far
+    return nearest
 
 
 def _start(axis: _Axis, guess: Recipe) -> float:
@@ -221,7 +251,7 @@ def crops(mask: NDArray[np.bool_]) -> list[NDArray[np.bool_]]:
 def _wanted(found: Sequence[CrackStatistics]) -> dict[str, tuple[float, float]]:
     """Mean and deviation over the crops, without what a mask of thin lines cannot tell."""
     wanted = {}
-    flat = not any(each.width_cv > 0.05 for each in found)
+    flat = not any(each.width > THIN or each.width_cv > UNEVEN for each in found)
     for name in (*SCORED, *DENSITY, "direction"):
         values = np.array([getattr(each, name) for each in found])
         values = values[np.isfinite(values)]
@@ -249,6 +279,8 @@ def _guess(wanted: dict[str, tuple[float, float]], side: int) -> Recipe:
     }
     if "width" in wanted:
         values["thickness"] = min(wanted["width"][0] / side * root, 0.5)
+        if wanted["width_ratio"][0] < ALIKE:
+            values |= {"hierarchy": 0.0, "taper": 0.0}
     return Recipe(**_typed(values))
 
 

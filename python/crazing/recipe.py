@@ -317,7 +317,7 @@ class Recipe:
             other = "points are given" if points is not None else "the generator is 'impact'"
             raise ValueError(f"density is given, and {other}; it is for plates of the recipe's own")
         box = None if bounds is None else areal(bounds_tuple(bounds))
-        if box is None and points is None:
+        if box is None and (torus is not None or points is None):
             box = (0.0, 0.0, *(torus or (1.0, 1.0)))
         site = Site(self, box, torus, source, density)
         drawing, unit = site.maze(points, seed) if self.generator == "maze" else site.aged(seed)
@@ -380,13 +380,11 @@ class Recipe:
             If the file cannot be read.
         """
         name = os.fspath(arguments.file_path(path))
-        try:
-            with Path(path).open("rb") as file:
-                tables = tomllib.load(file)
-        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-            raise ValueError(f"{name} is no TOML file: {error}") from None
+        tables = read_toml(path)
         table = tables.get("recipe")
-        if not isinstance(table, dict):
+        if "recipe" in tables and not isinstance(table, dict):
+            raise ValueError(f"{name}: recipe is {arguments.found(table)}; one table [recipe] is wanted")
+        if table is None:
             raise ValueError(f"{name} has no table [recipe]; it has {', '.join(tables) or 'nothing'}")
         unknown = [key for key in table if key not in _STEPS]
         if unknown:
@@ -439,12 +437,21 @@ _TEXTS = ("title", "citation")
 _STEPS = tuple(name for name in _NAMES if name not in _TEXTS)
 
 
+def read_toml(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """The tables of a TOML file; editors on Windows begin one with a byte order mark."""
+    try:
+        return tomllib.loads(Path(path).read_text(encoding="utf-8-sig"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise ValueError(f"{os.fspath(path)} is no TOML file: {error}") from None
+
+
 def _checked(name: str, value: Any) -> Any:
     """A value of a field, of its type and in its range."""
     if name in _TEXTS:
         if not isinstance(value, str):
             raise TypeError(f"{name} is {value!r}; text is wanted")
-        return value
+        # The name of a file may hold bytes that are no text, of which no TOML can be made.
+        return value.encode(errors="replace").decode()
     if name in _WORDS:
         return choice(value, name, _WORDS[name])
     low, high = _RANGES[name]

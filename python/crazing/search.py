@@ -19,6 +19,8 @@ Progress: TypeAlias = Callable[[int, float], Any]
 #: Trials a generation, and the best of them that the next one is drawn about: half, as fewer are the lucky ones of a
 #: noisy function. How many are remembered of all.
 TRIALS, ELITE, KEPT = 16, 8, 4
+#: What comes of a search: those that are remembered, the middle of the last generation, the start.
+CANDIDATES = KEPT + 2
 #: What the spread keeps of its old self, so that one lucky generation does not end the search, and its smallest value.
 INERTIA, LEAST_SPREAD = 0.5, 0.015
 #: With a loss, so many trials of a generation are the best of so many draws by a linear model of the last trials; what
@@ -35,7 +37,8 @@ def minimize(
     *,
     budget: int,
     loss: Loss | None = None,
-    seconds: float | None = None,
+    ending: float | None = None,
+    spared: int = 0,
     rng: _rng.RNG = None,
     progress: Progress | None = None,
 ) -> list[NDArray[np.float64]]:
@@ -44,7 +47,7 @@ def minimize(
     The cross-entropy method: trials are drawn from a normal distribution along each axis, which moves and shrinks to
     the best of them. Where the function is a loss of many residuals, half of the trials are the best of many draws by
     a linear model of the residuals: from each trial it learns as many numbers as there are. With the same seed and
-    `budget` the result is the same; `seconds` make it depend on the machine.
+    `budget` the result is the same; an `ending` makes it depend on the machine.
 
     Parameters
     ----------
@@ -56,8 +59,10 @@ def minimize(
         Most evaluations.
     loss : callable, optional
         Takes residuals, (..., m), and gives what is to be small, (...).
-    seconds : float, optional
-        Most time; the evaluation that runs is finished.
+    ending : float, optional
+        When to stop, by `time.monotonic`; the evaluation that runs is finished.
+    spared : int, optional
+        So many evaluations, of those so far, take no longer than what is then left.
     rng : int, numpy.random.Generator or None, optional
         Seed.
     progress : callable, optional
@@ -81,7 +86,7 @@ def minimize(
     Source: Rubinstein, The cross-entropy method for combinatorial and continuous optimization, 1999.
     """
     seed = _rng.generator(rng)
-    ending = None if seconds is None else time.monotonic() + seconds
+    began = time.monotonic()
     middle, width = np.asarray(start, dtype=np.float64), np.asarray(spread, dtype=np.float64)
     first, kept = middle, [(np.inf, 0, middle)]
     seen: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
@@ -101,7 +106,8 @@ def minimize(
             kept = sorted([*kept, (float(values[i]), spent, point)], key=lambda each: each[:2])[:KEPT]
             if progress is not None:
                 progress(spent, kept[0][0])
-            if ending is not None and time.monotonic() > ending:
+            now = time.monotonic()
+            if ending is not None and now + spared * (now - began) / spent > ending:
                 return [*(each[2] for each in kept), middle, first]
         if np.isfinite(values).sum() >= ELITE:
             elite = points[np.argsort(values, kind="stable")[:ELITE]]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core, sample, steps
-from crazing.arguments import areal, bounds_tuple, number, real_array
+from crazing.arguments import areal, bounds_tuple, number, points_array, real_array
 from crazing.diagram import Diagram, as_tiling, bounds_of
 from crazing.errors import CrazingError
 from crazing.fence import fenced, fenced_torus
@@ -70,11 +70,8 @@ class Site:
             (x, y), _ = self.centre(box)
             drawing = steps.impact(r.n, source=(x, y), speed=r.speed, arcs=r.arcs, rng=seed, **where)
             wide, high = box[2] - box[0], box[3] - box[1]
-            if self.period is None:
-                # There is room all about.
-                fence = fenced(drawing.net, (box[0] - wide, box[1] - high, box[2] + wide, box[3] + high))
-            else:
-                fence = fenced_torus(drawing.net, (x - wide / 2, y - high / 2))
+            of_torus = self.period is not None
+            fence = fenced_torus(drawing.net, (x - wide / 2, y - high / 2)) if of_torus else fenced(drawing.net, box)
             drawing = replace(drawing, fence=fence)
         else:
             drawing = steps.split(
@@ -106,35 +103,40 @@ class Site:
         return steps.walls(maze(diagram, tree=r.tree, opening=r.opening, bounds=bounds, rng=seed)), _spacing(diagram)
 
     def _relaxed(self, points: ArrayLike | Diagram) -> NDArray[np.float64]:
-        rows = points.sites if isinstance(points, Diagram) else points
+        rows = points_array(points)
         box = self.bounds
         if box is None:
-            low, high = np.min(rows, axis=0), np.max(rows, axis=0)
-            box = areal(bounds_tuple((*low, *high)), "the box around the points")
+            low, high = rows.min(axis=0, initial=np.inf), rows.max(axis=0, initial=-np.inf)
+            if not (low < high).all():
+                # No plates on a line or in a place; what is no number is named by its row later.
+                return rows
+            box = areal(bounds_tuple((*low, *high), "the box around the points"), "the box around the points")
         return sample.relax(rows, iterations=self.recipe.relax, bounds=box, period=self.period)
 
     def _stretched(self, points: ArrayLike | Diagram | None, seed: np.random.Generator) -> tuple[steps.Drawing, float]:
         """A maze carved where its plates are as long as wide, and stretched."""
         r = self.recipe
-        if self.bounds is None:
-            raise ValueError("anisotropy with points of one's own needs bounds")
+        bounds = self.bounds
+        if bounds is None:
+            closely = bounds_of(as_tiling(points_array(points), None), None, closely=True)
+            bounds = areal(closely, "the box around the points")
         # A period that is turned by anything but quarters is none.
         angle = r.angle if self.period is None else 90.0 * round(r.angle / 90)
-        frame = Frame.of(self.bounds, r.anisotropy, angle)
+        frame = Frame.of(bounds, r.anisotropy, angle)
         if points is None:
             inner = self._plates(frame, seed)
         else:
-            rows = points.sites if isinstance(points, Diagram) else real_array(points, "points")
-            inner = (rows - frame.centre) @ np.linalg.inv(frame.matrix).T
+            rows = points_array(points)
+            inner = self._evened((rows - frame.centre) @ np.linalg.inv(frame.matrix).T, frame)
         if self.period is None:
-            stretch = frame.matrix, frame.centre, self.bounds
+            stretch = frame.matrix, frame.centre, bounds
             return steps.carved(as_tiling(inner, None), r.tree, r.opening, frame.box, seed, stretch)
         period = (frame.box[2] - frame.box[0], frame.box[3] - frame.box[1])
         diagram = as_tiling(inner - np.array(frame.box[:2]), period)
         carved = maze(diagram, tree=r.tree, opening=r.opening, rng=seed)
         # On a torus the frame's corner is its origin; wherever it lands, vertices are wrapped in the end.
         centre = frame.matrix @ np.array(frame.box[:2]) + frame.centre
-        return steps.stretched(carved, frame.matrix, centre, self.bounds), _spacing(diagram)
+        return steps.stretched(carved, frame.matrix, centre, bounds), _spacing(diagram)
 
     def _plates(self, frame: Frame, seed: np.random.Generator) -> NDArray[np.float64]:
         """Points of the recipe's own sampler, in a frame."""
@@ -155,10 +157,15 @@ class Site:
             points = sample.poisson_disk(radius, rng=seed, **torus) + box[:2]
         else:
             points = sample.uniform(n, bounds=box, rng=seed)
-        if not r.relax:
+        return self._evened(points, frame)
+
+    def _evened(self, points: NDArray[np.float64], frame: Frame) -> NDArray[np.float64]:
+        """Points of a frame after the recipe's rounds of relaxation."""
+        if not self.recipe.relax:
             return points
+        box = frame.box
         period = None if self.period is None else (box[2] - box[0], box[3] - box[1])
-        return sample.relax(points, iterations=r.relax, bounds=box, period=period)
+        return sample.relax(points, iterations=self.recipe.relax, bounds=box, period=period)
 
     @property
     def is_even(self) -> bool:
@@ -181,6 +188,8 @@ class Site:
         if self.recipe.patchiness:
             field = Patches.of(patch, self.period, seed).over(u, v, frame.matrix, frame.centre)
             found = found * _steady(np.exp(self.recipe.patchiness * _steady(field)))
+        if not found.any():
+            raise CrazingError("density is 0 everywhere; a place where it is more is wanted")
         return np.ascontiguousarray(found)
 
     def _falloff_at(self, places: NDArray[np.float64], bounds: _Bounds) -> Any:

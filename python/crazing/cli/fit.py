@@ -12,20 +12,11 @@ from pathlib import Path
 import click
 
 import crazing
-from crazing.cli.measure import doubt, mask_options
-from crazing.cli.output import Seed
+from crazing.cli.measure import doubt, mask_options, note_frame
+from crazing.cli.output import Seed, ending_in
 from crazing.cli.progress import is_watched
 from crazing.images import read_image
 from crazing.measure import as_mask
-
-
-def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
-    path = Path(value)
-    if path.suffix.lower() != ".toml":
-        raise click.BadParameter(f"{value!r} does not end in .toml.")
-    if path.is_dir() or not path.parent.is_dir():
-        raise click.BadParameter(f"{value!r} is a folder or lies in none.")
-    return value
 
 
 @click.command("fit")
@@ -35,7 +26,9 @@ def _checked(ctx: click.Context, parameter: click.Parameter, value: str) -> str:
 @click.option("--seconds", type=click.FloatRange(0), help="Most time; the result then depends on the machine.")
 @click.option("--seed", type=Seed(), metavar="N", help="Seed; by default a fresh one, which is printed.")
 @click.option("--json", "as_json", is_flag=True, help="Print the result as one line of JSON.")
-@click.option("-o", "--output", required=True, metavar="FILE", callback=_checked, help="Where to write it, a .toml.")
+@click.option(
+    "-o", "--output", required=True, metavar="FILE", callback=ending_in(".toml"), help="Where to write it, a .toml."
+)
 def command(
     *,
     mask: str,
@@ -58,6 +51,7 @@ def command(
     picture = as_mask(read_image(mask), level=level, dark=dark)
     if words := doubt(picture, mask, level=level, dark=dark):
         raise click.ClickException(words)
+    note_frame(picture, mask)
     reached = math.nan
     with _bar(budget) as show:
 

@@ -17,7 +17,7 @@ from crazing.arguments import meant
 from crazing.cli.progress import rows
 from crazing.material import preset_material
 from crazing.pictures.output import is_file, refuse_others, words
-from crazing.recipe import SEEN
+from crazing.recipe import SEEN, read_toml
 
 #: What a folder gets when no maps are named; a single file gets the colour.
 USUAL = ("color", "normal", "height", "ao", "roughness")
@@ -146,10 +146,7 @@ class Order:
 
 def _material_beside(path: str) -> crazing.Material | None:
     """The table `[material]` of a recipe's file, if there is one."""
-    import tomllib
-
-    with Path(path).open("rb") as file:
-        tables = tomllib.load(file)
+    tables = read_toml(path)
     # Of preset files, which this may be a copy of.
     known = ("title", "citation", "recipe", "targets", "material")
     for name in tables:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
+from typing import Any
 
 import click
 import numpy as np
@@ -16,9 +17,12 @@ from crazing.cli.progress import steps
 from crazing.files import atomic_write
 from crazing.images import read_image
 from crazing.measure import as_mask
+from crazing.targets import Targets
 
 #: From so many pieces on, and with so few junctions a piece, lines are taken to have fallen apart.
 _MANY, _JOINED = 20, 0.25
+#: From this part of every side on, a picture is taken to have a frame.
+_FRAMED = 0.95
 
 
 def mask_options(function: click.decorators.FC) -> click.decorators.FC:
@@ -44,6 +48,12 @@ def doubt(mask: NDArray[np.bool_], name: str, *, level: float, dark: bool) -> st
     return None
 
 
+def note_frame(mask: NDArray[np.bool_], name: str) -> None:
+    """Says that a picture has a frame: it closes plates that go on outside, and is as long as several cracks."""
+    if all(side.mean() > _FRAMED for side in (mask[0], mask[-1], mask[:, 0], mask[:, -1])):
+        click.echo(f"Note: {name} is crack all along its sides: its frame counts as cracks. Cut it off.", err=True)
+
+
 @click.command("measure")
 @click.argument("mask", type=click.Path(exists=True, dir_okay=False))
 @mask_options
@@ -52,7 +62,9 @@ def doubt(mask: NDArray[np.bool_], name: str, *, level: float, dark: bool) -> st
 @click.option("--border", type=float, default=20.0, show_default=True, metavar="PX", help="Leave out nodes this near.")
 @click.option("--reach", type=float, default=15.0, show_default=True, metavar="PX", help="Where directions are taken.")
 @click.option(
-    "--preset", metavar="NAME", help="Also say how far the mask is from the targets of a preset, in deviations."
+    "--preset",
+    metavar="NAME",
+    help="Also say how far the mask is from the targets of a preset: in deviations, or what is out of its ranges.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one line of JSON.")
 @seed_without_use
@@ -88,24 +100,40 @@ def command(
         picture = as_mask(read_image(mask), level=level, dark=dark)
         if words := doubt(picture, mask, level=level, dark=dark):
             click.echo(f"Note: {words}", err=True)
+        else:
+            note_frame(picture, mask)
         begin("measuring")
         found = crazing.measure(picture, spur=spur, merge=merge, border=border, reach=reach)
     if found.components >= _MANY and found.junctions < _JOINED * found.components:
         words = f"{found.components:.0f} pieces and {found.junctions:.0f} junctions: lines may have fallen apart"
         click.echo(f"Note: {mask} has {words}. See --level.", err=True)
-    far = {} if targets is None else found.deviations(targets.measured)
     values = {name: None if math.isnan(value) else value for name, value in found.to_dict().items()}
-    line = json.dumps({"mask": mask, **values, **({} if targets is None else {"deviations": far})})
+    report: dict[str, Any] = {"mask": mask, **values}
+    if targets is not None:
+        report |= {"deviations": found.deviations(targets.measured), "within": targets.within(found)}
+    line = json.dumps(report)
     if output is not None:
         _write(output, line, values)
     if as_json:
         click.echo(line)
         return
     click.echo(str(found))
-    for name, value in far.items():
+    if targets is not None:
+        _compare(found, targets, preset)
+
+
+def _compare(found: crazing.CrackStatistics, targets: Targets, preset: str | None) -> None:
+    """Prints how far a pattern is from the targets of a preset, measured or of ranges."""
+    for name, value in found.deviations(targets.measured).items():
         click.echo(f"{name} is {value:+.1f} deviations from {preset}")
-    if targets is not None and targets.measured:
+    if targets.measured:
         click.echo(f"score {found.score(targets.measured):.2f} against {preset}")
+    within = {name: met for name, met in targets.within(found).items() if name in targets.range}
+    for name in (name for name, met in within.items() if not met):
+        low, high = targets.range[name]
+        click.echo(f"{name} is not from {low:g} to {high:g} as for {preset}")
+    if within:
+        click.echo(f"{sum(within.values())} of {len(within)} in the ranges of {preset}")
 
 
 def _write(output: str, line: str, values: Mapping[str, float | None]) -> None:

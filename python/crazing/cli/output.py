@@ -27,30 +27,23 @@ def checked(ctx: click.Context, parameter: click.Parameter, value: str | None) -
         if sys.stdout.isatty():
             raise click.BadParameter("a PNG is not written to a terminal; name a file or redirect.")
         return value
+    return _writable(value, (".png",))
+
+
+def ending_in(*endings: str) -> Callable[[click.Context, click.Parameter, str | None], str | None]:
+    """Refuses, before any work is done, a file of another ending or in no folder that can be written to."""
+    return lambda ctx, parameter, value: None if value is None else _writable(value, endings)
+
+
+def _writable(value: str, endings: tuple[str, ...]) -> str:
     path = Path(value)
-    if path.suffix.lower() != ".png":
-        raise click.BadParameter(f"{value!r} does not end in .png.")
+    if path.suffix.lower() not in endings:
+        raise click.BadParameter(f"{value!r} does not end in {', '.join(endings)}.")
     if path.is_dir() or not path.parent.is_dir():
         raise click.BadParameter(f"{value!r} is a folder or lies in none.")
     if not os.access(path.parent, os.W_OK):
         raise click.BadParameter(f"the folder of {value!r} cannot be written to.")
     return value
-
-
-def ending_in(*endings: str) -> Callable[[click.Context, click.Parameter, str | None], str | None]:
-    """Refuses, before any work is done, a file of another ending or in no folder."""
-
-    def checked(ctx: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
-        if value is None:
-            return None
-        path = Path(value)
-        if path.suffix.lower() not in endings:
-            raise click.BadParameter(f"{value!r} does not end in {', '.join(endings)}.")
-        if path.is_dir() or not path.parent.is_dir():
-            raise click.BadParameter(f"{value!r} is a folder or lies in none.")
-        return value
-
-    return checked
 
 
 class Seed(click.types.IntParamType):

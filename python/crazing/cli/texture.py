@@ -51,15 +51,14 @@ def pixels(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[
     type=click.IntRange(min=3),
     default=300,
     metavar="N",
-    show_default=True,
-    help="Number of plates between the cracks, at least 3.",
+    help="Number of plates between the cracks, at least 3; by default 300, or as in the preset or recipe.",
 )
 @click.option(
     "--distribution",
     type=click.Choice(["uniform", "normal", "laplace"]),
     default="uniform",
-    show_default=True,
-    help="How the plates are spread: evenly, or many small ones in the middle, as around an impact.",
+    help="How the plates are spread: evenly, or many small ones in the middle, as around an impact; by default "
+    "uniform, or as in the preset or recipe.",
 )
 @click.option(
     "--width",
@@ -71,7 +70,7 @@ def pixels(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[
     "--opening",
     type=float,
     metavar="X",
-    help="1, the default, closes no plate by cracks all round, 0 every plate.",
+    help="1 closes no plate by cracks all round, 0 every plate; by default 1, or as in the preset or recipe.",
 )
 @click.option("--preset", metavar="NAME", help="Kind of crack, with its material; crazing presets lists them.")
 @click.option("--recipe", type=click.Path(exists=True, dir_okay=False), metavar="TOML", help="The same from a file.")

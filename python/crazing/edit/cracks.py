@@ -65,7 +65,7 @@ def light(raw: Any) -> Light:
 
 
 def _box(points: ArrayLike | Diagram) -> tuple[float, float, float, float]:
-    """The bounds that a crack of points has by default; some steps want them told."""
+    """The box about points, grown by a tenth: some room for those that are set next."""
     return bounds_of(as_diagram(points), None)
 
 

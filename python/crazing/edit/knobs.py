@@ -137,7 +137,7 @@ _FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
     "falloff": ("Falloff", (0, 8, 0.1), "Finer plates near the middle"),
     "patchiness": ("Patchiness", (0, 2, 0.05), "Finer plates here, coarser ones there"),
     "patch": ("Patch", (1, 20, 0.5), "Across a patch, in spacings"),
-    "anisotropy": ("Stretch", (0.1, 10, 0.1), "Of plates, along the angle"),
+    "anisotropy": ("Stretch", (1, 10, 0.1), "Of plates, along the angle"),
     "angle": ("Angle", (-180, 180, 1), "Degrees"),
     "tree": ("Tree", (0, 0, 0), ""),
     "opening": ("Opening", (0, 1, 0.01), "0 closes every plate, 1 none"),
@@ -146,6 +146,7 @@ _FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
     "pull": ("Pull", (0, 1, 0.01), "Of a round, towards the chord"),
     "slide": ("Slide", (0, 1, 0.01), "Of a round, towards T junctions"),
     "clamp": ("Clamp", (0, 0.5, 0.01), "What sliding keeps out of"),
+    "turn": ("Turn", (0, 180, 1), "At junctions, up to which a crack goes on"),
     "hairpin": ("Hairpin", (90, 180, 1), "Cracks that turn back by more are parted"),
     "jitter": ("Jitter", (0, 2, 0.01), "How plates differ in size"),
     "bend": ("Bend", (0, 1, 0.01), "Of new cracks towards old ones"),
@@ -164,7 +165,7 @@ _FIELDS: dict[str, tuple[str, tuple[float, float, float], str]] = {
     "shrink": ("Shrink", (0, 1, 0.01), "Width from a generation to the next"),
     "taper": ("Taper", (0, 1, 0.01), "The part over which a tip runs out"),
     "abutting": ("Abutting", (0, 1, 0.01), "Width where a crack meets another"),
-    "unevenness": ("Unevenness", (0, 1, 0.01), "Of width along a crack"),
+    "unevenness": ("Unevenness", (0, 1, 0.01), "Of width, from crack to crack and along them"),
     "fade": ("Fade", (0, 8, 0.1), "Thinner away from the middle"),
     "variant": ("Variant", (0, 20, 1), "Another pattern of the same seed"),
 }
@@ -172,7 +173,7 @@ _WORDS = {"generator": GENERATORS, "sampler": SAMPLERS, "tree": TREES}
 _FIRST = ("opening", "rounds", "roughness", "thickness", "hierarchy", "taper")
 _OWN = ("n", "sampler", "relax", "falloff", "patchiness", "patch")
 _ONLY = {
-    **dict.fromkeys(("tree", "opening", "relax", "sampler", "hairpin"), "generator:maze"),
+    **dict.fromkeys(("tree", "opening", "relax", "sampler", "turn", "hairpin"), "generator:maze"),
     **dict.fromkeys(("jitter", "bend"), "generator:splitting"),
     **dict.fromkeys(("speed", "arcs"), "generator:impact"),
 }

@@ -43,8 +43,8 @@ def made(
 
     Parameters
     ----------
-    what : {"png", "svg", "dxf", "geojson", ...}
-        One of the words of :func:`described`.
+    what : {"png", "svg", "dxf", ...}
+        One of the words that :func:`described` has for the mode.
     points, mode, values
         What is on the page.
     size : int
@@ -63,7 +63,7 @@ def made(
     CrazingError
         If there is nothing to be written.
     """
-    word = arguments.choice(what, "what", _MAKERS)
+    word = arguments.choice(what, "what", [each for each, (_, modes) in _LABELS.items() if mode in modes])
     found = draw(points, mode, values)
     if not found.layers:
         raise CrazingError(found.note or "there is nothing to be written yet; add some points")

@@ -35,6 +35,22 @@ pub fn check_bounds(bounds: Bounds) -> Result<()> {
     }
 }
 
+/// Of a side, this part of how far out it lies: a cut is rounded by less.
+const ROUNDING: f64 = 1.0 / (1_u64 << 50) as f64;
+
+/// A place where something was cut at the bounds: on their side to the last bit, and nowhere beyond.
+pub(crate) fn on_side(place: Point, bounds: Bounds) -> Point {
+    [0, 1].map(|axis| {
+        let [low, high] = [bounds[axis], bounds[axis + 2]];
+        let near = ROUNDING * low.abs().max(high.abs());
+        match place[axis] {
+            x if x - low <= near => low,
+            x if high - x <= near => high,
+            x => x,
+        }
+    })
+}
+
 /// The dual edges of the rows that `wanted` names, clipped to `bounds`. Edges without length are left out.
 ///
 /// Every dual edge is an interval of the bisector of its two sites; it is cut there, so far ends cost no precision.
@@ -62,9 +78,7 @@ pub fn dual_edges(view: DiagramView<'_>, bounds: Bounds, wanted: impl Fn(usize) 
             let line = Bisector::of(view, k, fine, scale);
             let Some(inside) = line.within(low, high) else { continue };
             let mut cut = |t: f64| {
-                let on_bounds = |x: f64, axis: usize| x.clamp(bounds[axis], bounds[axis + 2]);
-                let [x, y] = scale.up(line.at(t));
-                places.push([on_bounds(x, 0), on_bounds(y, 1)]);
+                places.push(on_side(scale.up(line.at(t)), bounds));
                 (vertices + places.len()) as i32 - 1
             };
             let [right, left] = view.dual_edges[k];

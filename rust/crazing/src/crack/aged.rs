@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use super::fence::{Fence, FenceView};
 use super::net::{Ends, NONE, Net, NetView};
-use crate::clip::{Bounds, check_bounds};
+use crate::clip::{Bounds, check_bounds, on_side};
 use crate::error::Result;
 use crate::graph::Point;
 use crate::parallel;
@@ -95,7 +95,36 @@ pub fn stretched(
     };
     let (vertices, anchors) = (mapped(net.vertices), mapped(fence.anchors));
     let net = NetView { vertices: &vertices, ..net };
-    Ok(Kept::of(net, bounds).drawn(net, FenceView { anchors: &anchors, ..fence }))
+    let (mut net, mut fence) = Kept::of(net, bounds).drawn(net, FenceView { anchors: &anchors, ..fence });
+    // What was cut before it was mapped lies on the bounds where the map turns nothing, but for rounding.
+    for (p, _) in net.vertices.iter_mut().zip(&net.cut).filter(|(_, cut)| **cut) {
+        *p = on_side(*p, bounds);
+    }
+    trim_doors(&net, &mut fence, bounds);
+    fence.draw_in(&net.vertices, bounds);
+    Ok((net, fence))
+}
+
+/// Cuts the kites about edges that are not drawn as well, in the fence of a maze: no two share a corner but at places
+/// that stay, and at vertices of the drawing, which lie within.
+fn trim_doors(net: &Net, fence: &mut Fence, bounds: Bounds) {
+    let (drawn, vertices) = (net.edges.len(), net.vertices.len());
+    let doors = fence.kites.split_off(drawn);
+    for [a, b, left, right] in doors {
+        let place = |point: i32| match net.vertices.get(point as usize) {
+            Some(vertex) => *vertex,
+            None => fence.anchors[point as usize - vertices],
+        };
+        let Some(cuts) = within([place(a), place(b)], bounds) else { continue };
+        let mut ends = [a, b];
+        for (end, cut) in ends.iter_mut().zip(cuts) {
+            if let Some(cut) = cut {
+                *end = (vertices + fence.anchors.len()) as i32;
+                fence.anchors.push(cut);
+            }
+        }
+        fence.kites.push([ends[0], ends[1], left, right]);
+    }
 }
 
 /// How much of an edge lies within bounds.
@@ -196,6 +225,6 @@ fn within([a, b]: [Point; 2], bounds: Bounds) -> Option<[Option<Point>; 2]> {
         start = start.max(near);
         end = end.min(far);
     }
-    let at = |t: f64| [0, 1].map(|i| (a[i] + t * (b[i] - a[i])).clamp(bounds[i], bounds[i + 2]));
+    let at = |t: f64| on_side([0, 1].map(|i| a[i] + t * (b[i] - a[i])), bounds);
     (start < end).then(|| [(start > 0.0).then(|| at(start)), (end < 1.0).then(|| at(end))])
 }

@@ -5,6 +5,7 @@
 //! as before, each point once. Edges are sides of triangles, so they cannot meet but at their ends.
 
 use super::net::{NONE, NetView};
+use crate::clip::Bounds;
 use crate::error::{Error, Result};
 use crate::graph::{Point, check_indices};
 use crate::parallel;
@@ -37,6 +38,44 @@ impl Fence {
     pub fn shut(net: NetView<'_>) -> Self {
         let kites = net.edges.iter().map(|&[a, b]| [a, b, NONE, NONE]).collect();
         Self { anchors: Vec::new(), kites, shifts: vec![[0; 6]; net.shifts.len()] }
+    }
+
+    /// Draws in the anchors that lie beyond bounds, of a fence whose kites have been cut there and have anchors on
+    /// both sides: then nothing that it holds leaves the bounds.
+    ///
+    /// About such an anchor the kites pave a convex cell, all of it but the corners of the bounds; from the middle of
+    /// their ends it is seen within that cell.
+    pub(super) fn draw_in(&mut self, vertices: &[Point], bounds: Bounds) {
+        let is_beyond = |p: &Point| (0..2).any(|i| p[i] < bounds[i] || p[i] > bounds[i + 2]);
+        let anchors = self.anchors.len();
+        let beyond = parallel::compact(anchors, |anchor| is_beyond(&self.anchors[anchor]).then_some(anchor));
+        if beyond.is_empty() {
+            return;
+        }
+        let mut sums = vec![([0.0; 2], 0.0); anchors];
+        for &[a, b, left, right] in &self.kites {
+            let anchors = [left, right].map(|corner| corner as usize - vertices.len());
+            for point in [a, b].map(|point| point as usize) {
+                let p = *vertices.get(point).unwrap_or_else(|| &self.anchors[point - vertices.len()]);
+                for anchor in anchors {
+                    let (sum, count) = &mut sums[anchor];
+                    *sum = [sum[0] + p[0], sum[1] + p[1]];
+                    *count += 1.0;
+                }
+            }
+        }
+        for anchor in beyond.into_iter().filter(|&anchor| sums[anchor].1 > 0.0) {
+            let (sum, count) = sums[anchor];
+            let (middle, far) = (sum.map(|x| x / count), self.anchors[anchor]);
+            // The part of the way that leads to the bounds.
+            let part = (0..2).map(|i| {
+                let step = far[i] - middle[i];
+                let room = if step > 0.0 { bounds[i + 2] - middle[i] } else { bounds[i] - middle[i] };
+                if step == 0.0 { 1.0 } else { room / step }
+            });
+            let half = 0.5 * part.fold(1.0, f64::min).max(0.0);
+            self.anchors[anchor] = [0, 1].map(|i| middle[i] + half * (far[i] - middle[i]));
+        }
     }
 
     /// Borrows the arrays.

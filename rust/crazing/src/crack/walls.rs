@@ -40,6 +40,7 @@ pub(super) fn of_clipped(view: DiagramView<'_>, clipped: Clipped, open: &[bool],
     for (cut, p) in walls.net.cut.iter_mut().zip(&walls.net.vertices) {
         *cut |= (0..2).any(|i| p[i] == bounds[i] || p[i] == bounds[i + 2]);
     }
+    walls.fence.draw_in(&walls.net.vertices, bounds);
     walls
 }
 
