@@ -239,8 +239,8 @@ impl Shape {
         }
     }
 
-    /// The part of the reach. Where that is next to none its inverse is infinite, and no distance in it no number.
+    /// The part of the reach. Where that is next to none, its inverse is infinite.
     fn part(&self, distance: f64) -> f64 {
-        (distance * self.rate).max(0.0).min(1.0)
+        if distance > 0.0 { (distance * self.rate).min(1.0) } else { 0.0 }
     }
 }

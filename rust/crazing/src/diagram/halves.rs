@@ -187,10 +187,9 @@ fn parted(sites: &mut [Site], is_before: impl Fn(&Site) -> bool) -> usize {
     let mut count = 0;
     for i in 0..sites.len() {
         // Without a branch: which side a site is on cannot be foretold.
-        let site = sites[i];
-        sites[i] = sites[count];
-        sites[count] = site;
-        count += usize::from(is_before(&site));
+        let is_first = is_before(&sites[i]);
+        sites.swap(i, count);
+        count += usize::from(is_first);
     }
     count
 }

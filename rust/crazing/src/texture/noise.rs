@@ -7,8 +7,14 @@
 //! # Source
 //! Perlin: Improving Noise (2002), for slopes at the points, and for the quintic between them.
 
+mod held;
+mod values;
+
 use super::nearest::PAGE;
 use crate::rng::{Key, block, stream};
+pub(super) use held::Held;
+use held::{Plane, Side, ease};
+pub(super) use values::{Value, Values};
 
 /// Points of the lattice that one block of random words is for.
 const LANES: i64 = 8;
@@ -54,37 +60,6 @@ pub(super) struct Ground {
     pub(super) key: Key,
     pub(super) period: [i64; 2],
     pub(super) pin: [i64; 2],
-}
-
-/// A value, about 0 and seldom beyond -1 or 1, and how it changes a pixel to the right and a pixel down.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Value {
-    pub(super) value: f32,
-    pub(super) slope: [f32; 2],
-}
-
-/// The same of some pixels of a row.
-#[derive(Debug, Default)]
-pub(super) struct Values {
-    pub(super) value: Vec<f32>,
-    pub(super) slope: [Vec<f32>; 2],
-}
-
-impl Values {
-    pub(super) fn new(width: usize) -> Self {
-        let row = || vec![0.0; width];
-        Self { value: row(), slope: [row(), row()] }
-    }
-
-    pub(super) fn clear(&mut self) {
-        let [right, down] = &mut self.slope;
-        [&mut self.value, right, down].into_iter().for_each(|row| row.fill(0.0));
-    }
-
-    #[inline(always)]
-    pub(super) fn at(&self, x: usize) -> Value {
-        Value { value: self.value[x], slope: [self.slope[0][x], self.slope[1][x]] }
-    }
 }
 
 /// Octaves of noise, each of half the pitch and half the weight of the one before: those that make its look, which are
@@ -228,98 +203,12 @@ impl Noise {
     }
 }
 
-/// What the noise is like at a point of the lattice.
-#[derive(Debug, Clone, Copy, Default)]
-struct Plane {
-    height: f32,
-    /// A lattice step to the right and down.
-    slope: [f32; 2],
-}
-
 /// Some pixels of a row, from the first; slopes are wanted or not.
 #[derive(Clone, Copy)]
 pub(super) struct Stretch {
     pub(super) corner: [i64; 2],
     pub(super) width: usize,
     pub(super) sloped: bool,
-}
-
-/// What is kept of an octave from row to row.
-#[derive(Debug, Default)]
-pub(super) struct Held {
-    /// The first of the points above the last row of pixels.
-    first: [i64; 2],
-    /// The points above and below.
-    planes: [Vec<Plane>; 2],
-    /// What they say about the row of pixels between them.
-    sides: Vec<Side>,
-}
-
-impl Held {
-    /// Looks at so many points from one on, and as many below them, from a row of pixels `y` down between them.
-    #[inline(always)]
-    fn look(&mut self, noise: &Noise, first: [i64; 2], count: usize, y: f32) {
-        let Self { planes, sides, .. } = self;
-        let [column, row] = first;
-        let is_next = self.first == [column, row - 1] && planes[0].len() == count;
-        if self.first != first || planes[0].len() != count {
-            let [above, below] = planes;
-            if is_next {
-                std::mem::swap(above, below);
-            } else {
-                above.resize(count, Plane::default());
-                noise.lattice(column, row, above);
-            }
-            below.resize(count, Plane::default());
-            noise.lattice(column, row + 1, below);
-            self.first = first;
-        }
-        sides.clear();
-        sides.extend(planes[0].iter().zip(&planes[1]).map(|(above, below)| Side::of([*above, *below], y)));
-    }
-}
-
-/// What one side of a square says about a row of pixels: linear in how far they are from it.
-#[derive(Debug, Clone, Copy)]
-struct Side {
-    value: f32,
-    slope: f32,
-    down: f32,
-    down_slope: f32,
-}
-
-impl Side {
-    /// That between the planes above and below, for the row `y` down from the one above.
-    #[inline(always)]
-    fn of([above, below]: [Plane; 2], y: f32) -> Self {
-        let (part, steep) = ease(y);
-        let (top, bottom) = (above.height + above.slope[1] * y, below.height + below.slope[1] * (y - 1.0));
-        let by_side = [0, 1].map(|axis| below.slope[axis] - above.slope[axis]);
-        Self {
-            value: top + (bottom - top) * part,
-            slope: above.slope[0] + by_side[0] * part,
-            down: above.slope[1] + by_side[1] * part + (bottom - top) * steep,
-            down_slope: by_side[0] * steep,
-        }
-    }
-
-    #[inline(always)]
-    fn value(&self, x: f32) -> f32 {
-        self.value + self.slope * x
-    }
-
-    /// How that changes from row to row.
-    #[inline(always)]
-    fn down(&self, x: f32) -> f32 {
-        self.down + self.down_slope * x
-    }
-}
-
-/// From 0 to 1 with level ends that do not bend, and its derivative.
-#[inline(always)]
-fn ease(t: f32) -> (f32, f32) {
-    let rest = 1.0 - t;
-    (t * t * t * (t * (6.0 * t - 15.0) + 10.0), 30.0 * t * t * rest * rest)
 }
 
 #[cfg(test)]
