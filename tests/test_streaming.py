@@ -121,7 +121,8 @@ def test_a_stopped_run_goes_on_behind_what_is_whole(tmp_path, monkeypatch, crack
     with pytest.raises(Stop):
         cz.write_texture(crack, tmp_path / "a", SIZE, **given, progress=stopping(400))
     part = tmp_path / ".a.part"
-    assert part.is_dir() and not (tmp_path / "a").exists()
+    # An EXR is not gone on with, and leaves nothing.
+    assert part.is_dir() == (form != "exr16") and not (tmp_path / "a").exists()
     harm(part, kind)
     begun: list[int] = []
     cz.write_texture(crack, tmp_path / "a", SIZE, **given, progress=lambda done, total: begun.append(done))

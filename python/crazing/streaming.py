@@ -37,12 +37,13 @@ def write_texture(
 
     The maps are drawn in bands of 16 to 256 rows, as many as fit 128 MiB, and a band is written while the next one
     is drawn. Memory stays below 768 MiB besides the pattern while 16 rows of all maps fit those 128 MiB: up to a width
-    of 140,000 pixels for every map, a million for one. EXR alone is collected whole. The samples are
+    of 140,000 pixels for every map, a million for one. EXR alone is collected whole, and begun anew. The samples are
     those of :meth:`Texture.save`, bit for bit.
 
-    A run that is stopped leaves the folder ``.NAME.part`` beside `path`, with the finished bands of every file. The
-    same call goes on behind them, after it has held what is there to its checksums. Files take their place when all
-    are whole.
+    A run that is stopped leaves the folder ``.NAME.part`` beside `path`, or ``.part`` in it where it is a folder that
+    was there before, with the finished bands of every file. The same call goes on behind them, after it has held what
+    is there to its checksums; another one begins anew. Files take their place when all are whole: links are followed,
+    an existing file keeps its permissions.
 
     Parameters
     ----------
