@@ -52,14 +52,15 @@ def pixels(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[
     default=300,
     metavar="N",
     show_default=True,
-    help="Number of plates between the cracks, at least 3.",
+    help="Number of plates between the cracks, at least 3; a preset or recipe has its own.",
 )
 @click.option(
     "--distribution",
     type=click.Choice(["uniform", "normal", "laplace"]),
     default="uniform",
     show_default=True,
-    help="How the plates are spread: evenly, or many small ones in the middle, as around an impact.",
+    help="How the plates are spread: evenly, or many small ones in the middle, as around an impact; a preset or "
+    "recipe has its own.",
 )
 @click.option(
     "--width",
@@ -71,7 +72,7 @@ def pixels(ctx: click.Context, parameter: click.Parameter, value: str) -> tuple[
     "--opening",
     type=float,
     metavar="X",
-    help="1, the default, closes no plate by cracks all round, 0 every plate.",
+    help="1, the default, closes no plate by cracks all round, 0 every plate; a preset or recipe has its own.",
 )
 @click.option("--preset", metavar="NAME", help="Kind of crack, with its material; crazing presets lists them.")
 @click.option("--recipe", type=click.Path(exists=True, dir_okay=False), metavar="TOML", help="The same from a file.")
@@ -103,14 +104,16 @@ def command(ctx: click.Context, /, *, as_json: bool, output: str, **given: Any) 
 
     The first draws ink on paper. Any of --preset, --recipe, --material, --seamless, --maps, --format, --layout,
     --name, --metres and --frames makes maps: one, by default the colour, where PATH ends in .png, .tif, .exr or
-    .zarr, else several in a folder. Maps may have any size; when a run is stopped, the same command goes on with it.
+    .zarr, else several in a folder. Maps may have any size; when a run with --seed is stopped, the same command goes
+    on with it.
 
     The same seed and options give the same pixels, on every machine and with any number of threads. They are kept in
     every file, and crazing rerun makes it again.
     """
     if given["seed"] is None:
         given["seed"] = secrets.randbits(32)
-    if any(given[name] not in (None, False) for name in MAPPED):
+    # A number may be 0, which is equal to False.
+    if any(given[name] is not None and given[name] is not False for name in MAPPED):
         report = _order(ctx, output, given).make()
         files = report["files"]
         words = f"{files[0]}{f' and {len(files) - 1} more' if len(files) > 1 else ''}: {_sizes(report)}"

@@ -77,8 +77,10 @@ def is_file(path: str | os.PathLike[str]) -> bool:
 
 
 def refuse_others(path: str | os.PathLike[str]) -> None:
-    """Raises where a path names a picture of a kind that is not written, not a folder."""
-    ending = Path(arguments.file_path(path)).suffix.lower()
+    """Raises where a path names a picture of a kind that is not written, not a folder, or nothing at all."""
+    if not os.fspath(arguments.file_path(path)):
+        raise ValueError("path is empty; the name of a file or folder is wanted")
+    ending = Path(path).suffix.lower()
     if ending in _OTHERS and not Path(path).is_dir():
         raise ValueError(f"{os.fspath(path)} ends in {ending}; {', '.join(ENDINGS)} or a folder is wanted")
 
