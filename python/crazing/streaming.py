@@ -93,7 +93,8 @@ def write_texture(
     TypeError, ValueError
         For arguments of the wrong kind, shape or range, also of several maps for one file.
     CrazingError
-        When a label is too large for PNG, or another run has begun to make the same files.
+        When a label is too large for PNG or a distance for ``"exr16"``, or another run has begun to make the same
+        files.
     ImportError
         When a format needs a package that is not installed.
     OSError

@@ -312,7 +312,7 @@ class Texture(Mapping[str, NDArray[Any]]):
         TypeError, ValueError
             For arguments of the wrong kind or range, a map that was not drawn, or several maps for one file.
         CrazingError
-            When a label is too large for PNG.
+            When a label is too large for PNG or a distance for ``"exr16"``.
         ImportError
             When a format needs a package that is not installed.
         OSError

@@ -141,6 +141,10 @@ def write(
         for picture in pictures
     )
     density = shown.scale / wanted.metres
+    if max(shown.size) / density > _METRES[1]:
+        raise ValueError(
+            f"the whole is {max(shown.size) / density:g} metres wide or high; at most {_METRES[1]:g} are wanted"
+        )
     part = _part(real, is_file(target))
     try:
         Job(made, shown.size, draw, (density, density), reach, part).run(progress)
