@@ -90,6 +90,8 @@ class Job:
     """Distances that whole numbers hold, data units."""
     part: Path
     """The folder of unfinished files."""
+    digest: str
+    """The hash of the pattern: parts of another one are not gone on with."""
     token: str = field(default_factory=lambda: secrets.token_hex(8))
     """Tells this run from others that make the same files."""
 
@@ -195,7 +197,7 @@ class Job:
 
     def _left(self, band: int) -> list[list[State]]:
         """What a run of the very same job noted, a list a band; the folder of parts is there afterwards."""
-        own = json.dumps([band, [[picture.target.name, picture.record] for picture in self.pictures]])
+        own = json.dumps([self.digest, band, [[picture.target.name, picture.record] for picture in self.pictures]])
         try:
             if (self.part / _RECORD).read_text(encoding="ascii") == own:
                 (self.part / _OWNER).write_text(self.token, encoding="ascii")

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from crazing import _core, arguments
+from crazing import _core, arguments, provenance
 from crazing.extras import require
 from crazing.files import atomic_write
 from crazing.pictures import layouts, scene
@@ -42,6 +42,8 @@ class Shown:
     """Whether the whole repeats."""
     record: Mapping[str, Any]
     """How it is made: version, texture, source."""
+    digest: str
+    """The hash of the pattern, of which the source may say anything."""
 
 
 @dataclass(frozen=True)
@@ -147,7 +149,7 @@ def write(
         )
     part = _part(real, is_file(target))
     try:
-        Job(made, shown.size, draw, (density, density), reach, part).run(progress)
+        Job(made, shown.size, draw, (density, density), reach, part, shown.digest).run(progress)
     except OSError as error:
         if error.errno is not None and (error.filename is None or part in (Path(error.filename) / "_").parents):
             # Of what was asked for, not of the folder of parts.
@@ -241,4 +243,5 @@ def shown_by(drawing: Any, origin: Mapping[str, Any]) -> Shown:
         "texture": texture,
         "source": dict(origin),
     }
-    return Shown(drawing.size, drawing.scale, drawing.relief, drawing.period is not None, record)
+    digest = provenance.digest_of(drawing.crack)
+    return Shown(drawing.size, drawing.scale, drawing.relief, drawing.period is not None, record, digest)
