@@ -227,6 +227,16 @@ def test_layouts_have_the_names_of_their_libraries(name) -> None:
     assert found == [PATTERNS[name].format(word) for word in NAMES[name].split()]
 
 
+@pytest.mark.parametrize(
+    ("name", "picture"), [("plain", "normal_gl"), ("polyhaven", "normal_gl"), ("unreal", "normal_dx")]
+)
+def test_the_normals_of_a_layout_are_those_of_one_file_as_well(tmp_path, texture, name, picture) -> None:
+    """Unreal's were upside down where a file was asked for instead of a folder."""
+    (path,) = texture.save(tmp_path / "a.tif", maps="normal", layout=name)
+    assert record(path)["picture"] == picture
+    np.testing.assert_array_equal(read(path), numbers(picture, texture).astype(np.float32))
+
+
 @pytest.mark.parametrize(("pixels", "word"), [(1024, "1K"), (8192, "8K"), (131072, "128K"), (1000, "1000"), (3, "3")])
 def test_resolutions(pixels, word) -> None:
     assert layouts.resolution(pixels) == word

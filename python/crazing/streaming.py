@@ -56,7 +56,8 @@ def write_texture(
         Pixels; one integer means a square.
     maps : str or sequence of str
         Names of maps, see :class:`Texture`, or ``"all"``. Beyond those, ``"normal_gl"`` (green is up) and
-        ``"normal_dx"`` (green is down) are what ``"normal"`` becomes, as the layout has it, and ``"orm"`` is
+        ``"normal_dx"`` (green is down) are what ``"normal"`` becomes, as the layout has it (the first of two where
+        `path` is one file), and ``"orm"`` is
         occlusion, roughness and metal in red, green and blue.
     material : Material or str, optional
         Profile and colours, or the name of a preset that has them.

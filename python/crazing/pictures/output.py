@@ -115,7 +115,9 @@ def pictures_of(path: str | os.PathLike[str], wanted: Wanted) -> tuple[str, ...]
             # The plane of glTF takes them in one picture.
             maps = (*maps, "orm")
         return layouts.chosen(maps, layouts.named(wanted.layout))
-    pictures = layouts.chosen(wanted.maps, layouts.LAYOUTS["plain"])
+    layout = layouts.named(wanted.layout)
+    # Of two kinds of normals one file takes the first.
+    pictures = layouts.chosen(wanted.maps, dataclasses.replace(layout, normals=layout.normals[:1]))
     if len(pictures) != 1:
         raise ValueError(f"{os.fspath(path)} holds one map, {len(pictures)} are wanted; name a folder for several")
     return pictures
