@@ -146,6 +146,30 @@ def test_frames_show_the_cracks_as_they_grow(tmp_path) -> None:
     assert (tmp_path / "frames" / "0004" / "color.png").exists()
 
 
+@pytest.mark.parametrize(
+    ("made", "name", "again"),
+    [
+        ("a.png", "a", "a.again.png"),
+        ("a.png", "a.tif", "a.again.png"),
+        ("a.png", "a.PNG", "a.again.PNG"),
+        ("a.tif", "a.tiff", "a.again.tiff"),
+        ("a.tif", "a.png", "a.again.tif"),
+        ("a.exr", "a 1.jpg", "a 1.again.exr"),
+        ("a.zarr", "v1.2", "v1.again.zarr"),
+        ("plain.png", "plain", "plain.again.png"),
+    ],
+)
+def test_rerun_of_a_file_that_was_renamed(made, name, again, tmp_path) -> None:
+    words = [] if made == "plain.png" else ["--maps", "color"]
+    done("texture", "--seed", 3, "--size", 20, *words, "-o", tmp_path / made)
+    wanted = read(tmp_path / made)
+    (tmp_path / made).rename(tmp_path / name)
+    done("rerun", tmp_path / name)
+    assert {path.name for path in tmp_path.iterdir()} == {name, again}
+    (tmp_path / again).rename(tmp_path / made)
+    np.testing.assert_array_equal(read(tmp_path / made), wanted)
+
+
 BAD = [
     (["--preset", "mudd"], "a", "mudd"),
     (["--preset", "mud"], "a", "did you mean 'mud-fresh' or 'mud-mature'?"),
@@ -171,6 +195,12 @@ BAD = [
     (["--maps", "all", "--layout", "blender"], "a", "blender"),
     (["--maps", "all", "--name", "a/b"], "a", "a/b"),
     (["--maps", "all", "--metres", "0"], "a", "metres"),
+    (["--metres", "0"], "a.png", "metres is 0"),
+    (["--maps", "mask", "--metres", "1e-320"], "a.png", "metres is 1e-320"),
+    (["--maps", "color"], "", "path is empty"),
+    (["--maps", "mask", "--width", "1e300"], "a.png", "widths of at most 1e+30"),
+    (["--maps", "color", "--frames", "2", "--layout", "blender"], "a", "blender"),
+    (["--maps", "heigth", "--frames", "2"], "a", "heigth"),
     (["--maps", "mask"], "-", "standard output"),
     (["--maps", "mask"], "no/a.png", "folder"),
     (["--maps", "mask", "--frames", "0"], "a.png", "frames"),

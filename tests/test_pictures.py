@@ -197,6 +197,19 @@ def test_labels_beyond_sixteen_bits_are_refused_and_leave_nothing(tmp_path, text
     np.testing.assert_array_equal(tifffile.imread(path), maps["cell"])
 
 
+def test_distances_beyond_half_floats_are_refused_and_leave_nothing(tmp_path) -> None:
+    """They became infinite."""
+    wide = cz.crack(n=20, rng=1, bounds=(0, 0, 1e6, 1e6))
+    with pytest.raises(cz.CrazingError, match=r"distance reaches .*exr32"):
+        cz.write_texture(wide, tmp_path / "a.exr", 16, maps="distance", format="exr16")
+    assert not list(tmp_path.iterdir())
+    (path,) = cz.write_texture(wide, tmp_path / "a.exr", 16, maps="distance")
+    np.testing.assert_array_equal(read(path), cz.texture(wide, 16, maps="distance")["distance"])
+    # Where there is no crack at all distances are infinite, in every format of floats.
+    (path,) = cz.write_texture(wide.at(0), tmp_path / "b.exr", 4, maps="distance", format="exr16")
+    assert np.isposinf(read(path)).all()
+
+
 NAMES = {
     "ambientcg": "Color NormalGL NormalDX Displacement Roughness AmbientOcclusion",
     "polyhaven": "diff nor_gl nor_dx disp rough ao",
@@ -214,6 +227,16 @@ def test_layouts_have_the_names_of_their_libraries(name) -> None:
     assert found == [PATTERNS[name].format(word) for word in NAMES[name].split()]
 
 
+@pytest.mark.parametrize(
+    ("name", "picture"), [("plain", "normal_gl"), ("polyhaven", "normal_gl"), ("unreal", "normal_dx")]
+)
+def test_the_normals_of_a_layout_are_those_of_one_file_as_well(tmp_path, texture, name, picture) -> None:
+    """Unreal's were upside down where a file was asked for instead of a folder."""
+    (path,) = texture.save(tmp_path / "a.tif", maps="normal", layout=name)
+    assert record(path)["picture"] == picture
+    np.testing.assert_array_equal(read(path), numbers(picture, texture).astype(np.float32))
+
+
 @pytest.mark.parametrize(("pixels", "word"), [(1024, "1K"), (8192, "8K"), (131072, "128K"), (1000, "1000"), (3, "3")])
 def test_resolutions(pixels, word) -> None:
     assert layouts.resolution(pixels) == word
@@ -226,6 +249,7 @@ BAD = [
     ({"path": "a", "name": "../b"}, ValueError, "name is '../b'"),
     ({"path": "a", "metres": 0}, ValueError, "metres is 0"),
     ({"path": "a", "metres": math.nan}, ValueError, "metres is nan"),
+    ({"path": "a", "metres": 1e30}, ValueError, r"the whole is 2.6e\+31 metres"),
     ({"path": "a", "maps": []}, ValueError, "maps is empty"),
     ({"path": "a", "maps": ["heigth"]}, ValueError, r"maps\[0\] is 'heigth'"),
     ({"path": "a.tif", "maps": "mask", "format": "png"}, ValueError, "does not end in .png"),

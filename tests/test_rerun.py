@@ -98,6 +98,15 @@ def test_what_is_no_picture_is_named(tmp_path, content) -> None:
         cz.rerun(tmp_path / "a.png", tmp_path / "b.png")
 
 
+@pytest.mark.parametrize("target", ["b", "b.jpg", "b.tif", ""])
+def test_a_place_for_another_kind_of_file_is_refused(tmp_path, crack, target) -> None:
+    """A folder would get scenes as well."""
+    cz.write_texture(crack, tmp_path / "a.png", (8, 16), maps="color")
+    with pytest.raises(ValueError, match=r"does not end in \.png"):
+        cz.rerun(tmp_path / "a.png", tmp_path / target)
+    assert [entry.name for entry in tmp_path.iterdir()] == ["a.png"]
+
+
 def test_folders_and_missing_files_are_named(tmp_path) -> None:
     with pytest.raises(cz.CrazingError, match="is a folder"):
         cz.rerun(tmp_path, tmp_path / "b.png")

@@ -10,6 +10,7 @@ import secrets
 import shutil
 import stat
 import tempfile
+import time
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -21,6 +22,9 @@ from crazing import _core, arguments
 
 _TEXT_LIMIT = 79
 """Characters of a keyword, PNG specification, section 11.3.3.1."""
+
+_PATIENCE = 10.0
+"""Seconds that a lock is waited for: what is done under one takes less."""
 
 _AT_A_TIME = 1 << 14
 """Rows made into objects of Python without a look for signals: some milliseconds."""
@@ -81,6 +85,35 @@ def atomic_write(path: str | os.PathLike[str], *, room: Path | None = None) -> I
             error.filename = str(path)
         raise
     _flush_folder(target.parent)
+
+
+@contextlib.contextmanager
+def alone_in(folder: Path) -> Iterator[None]:
+    """Keep other processes that ask for the same folder waiting until the block ends.
+
+    Nobody waits where folders cannot be locked, nor for long where one is held all along, as a script may hold it.
+    """
+    try:
+        import fcntl
+
+        number = os.open(folder, os.O_RDONLY)
+    except (ImportError, OSError):
+        yield
+        return
+    try:
+        until = time.monotonic() + _PATIENCE
+        while time.monotonic() < until:
+            try:
+                fcntl.flock(number, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                time.sleep(0.01)
+            except OSError:
+                break
+            else:
+                break
+        yield
+    finally:
+        os.close(number)
 
 
 def rows_of(table: NDArray[np.float64]) -> Iterator[list[float]]:

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from crazing.crack import Crack
 from crazing.errors import CrazingError
@@ -50,14 +51,10 @@ def of_recipe(
 
 def of_crack(crack: Any) -> dict[str, Any]:
     """The origin of any crack: its arrays, or their hash where they are many."""
-    arrays = {name: np.asarray(getattr(crack, name)) for name in _ARRAYS if getattr(crack, name, None) is not None}
-    arrays |= {"vertices": np.asarray(crack.graph.vertices), "edges": np.asarray(crack.graph.edges)}
-    digest = hashlib.sha256()
-    for name in sorted(arrays):
-        digest.update(name.encode() + np.ascontiguousarray(arrays[name]).tobytes())
+    arrays = _arrays(crack)
     period = getattr(crack, "period", None)
     origin = {
-        "sha256": digest.hexdigest(),
+        "sha256": digest_of(crack),
         "bounds": list(crack.bounds),
         "period": None if period is None else list(period),
     }
@@ -69,6 +66,19 @@ def of_crack(crack: Any) -> dict[str, Any]:
     if packed.tell() > CARRIED:
         return origin
     return {**origin, "pattern": base64.b64encode(packed.getvalue()).decode("ascii")}
+
+
+def digest_of(crack: Any) -> str:
+    """The hash of a crack's arrays, which no other crack has."""
+    arrays, digest = _arrays(crack), hashlib.sha256()
+    for name in sorted(arrays):
+        digest.update(name.encode() + np.ascontiguousarray(arrays[name]).tobytes())
+    return digest.hexdigest()
+
+
+def _arrays(crack: Any) -> dict[str, NDArray[Any]]:
+    arrays = {name: np.asarray(getattr(crack, name)) for name in _ARRAYS if getattr(crack, name, None) is not None}
+    return arrays | {"vertices": np.asarray(crack.graph.vertices), "edges": np.asarray(crack.graph.edges)}
 
 
 def crack_of(origin: Mapping[str, Any]) -> Crack:

@@ -10,8 +10,9 @@ from typing import Any
 from crazing import arguments, provenance
 from crazing.errors import CrazingError
 from crazing.material import Material
+from crazing.pictures.output import is_file
 from crazing.pictures.reading import record_of
-from crazing.pictures.samples import FORMATS, PICTURES
+from crazing.pictures.samples import ENDINGS, FORMATS, PICTURES
 from crazing.streaming import write_texture
 from crazing.versions import algorithm_version
 
@@ -31,7 +32,7 @@ def rerun(
         A map that :meth:`Texture.save` or :func:`write_texture` wrote: PNG, TIFF, EXR or Zarr. Its pixels are not
         looked at.
     path : str or path-like
-        Where to; it ends as `source` does.
+        Where to: a file whose ending is that of the format, whatever `source` is called by now.
     threads : int, optional
         None takes all cores.
     progress : callable, optional
@@ -44,6 +45,8 @@ def rerun(
 
     Raises
     ------
+    ValueError
+        If `path` has another ending.
     CrazingError
         If the file holds no record or a damaged one, was made by another version of the algorithms, or its pattern
         was not kept.
@@ -61,8 +64,19 @@ def rerun(
     record = record_of(arguments.file_path(source, "source"))
     check_version(record, source)
     given = _given(record, source)
+    if not is_file(path):
+        wanted = FORMATS[given["format"]].ending
+        raise ValueError(f"{os.fspath(path)} does not end in {wanted}, as files of the format {given['format']!r} do")
     (made,) = write_texture(provenance.crack_of(record["source"]), path, threads=threads, progress=progress, **given)
     return made
+
+
+def again(source: str | os.PathLike[str], record: Mapping[str, Any]) -> Path:
+    """A name beside `source` for the picture made again; it has the ending of the format, also if `source` has not."""
+    # A plain picture is a PNG, and its record names no format.
+    file, form = Path(source), FORMATS.get(str(record.get("format", "png")), FORMATS["png"])
+    does_fit = is_file(file) and FORMATS[ENDINGS[file.suffix.lower()]].kind == form.kind
+    return file.with_name(f"{file.stem}.again{file.suffix if does_fit else form.ending}")
 
 
 def check_version(record: Mapping[str, Any], source: str | os.PathLike[str]) -> None:

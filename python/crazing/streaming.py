@@ -37,12 +37,13 @@ def write_texture(
 
     The maps are drawn in bands of 16 to 256 rows, as many as fit 128 MiB, and a band is written while the next one
     is drawn. Memory stays below 768 MiB besides the pattern while 16 rows of all maps fit those 128 MiB: up to a width
-    of 140,000 pixels for every map, a million for one. EXR alone is collected whole. The samples are
+    of 140,000 pixels for every map, a million for one. EXR alone is collected whole, and begun anew. The samples are
     those of :meth:`Texture.save`, bit for bit.
 
-    A run that is stopped leaves the folder ``.NAME.part`` beside `path`, with the finished bands of every file. The
-    same call goes on behind them, after it has held what is there to its checksums. Files take their place when all
-    are whole.
+    A run that is stopped leaves the folder ``.NAME.part`` beside `path`, or ``.part`` in it where it is a folder that
+    was there before, with the finished bands of every file. The same call goes on behind them, after it has held what
+    is there to its checksums; another one begins anew. Files take their place when all are whole: links are followed,
+    an existing file keeps its permissions.
 
     Parameters
     ----------
@@ -55,7 +56,8 @@ def write_texture(
         Pixels; one integer means a square.
     maps : str or sequence of str
         Names of maps, see :class:`Texture`, or ``"all"``. Beyond those, ``"normal_gl"`` (green is up) and
-        ``"normal_dx"`` (green is down) are what ``"normal"`` becomes, as the layout has it, and ``"orm"`` is
+        ``"normal_dx"`` (green is down) are what ``"normal"`` becomes, as the layout has it (the first of two where
+        `path` is one file), and ``"orm"`` is
         occlusion, roughness and metal in red, green and blue.
     material : Material or str, optional
         Profile and colours, or the name of a preset that has them.
@@ -92,7 +94,8 @@ def write_texture(
     TypeError, ValueError
         For arguments of the wrong kind, shape or range, also of several maps for one file.
     CrazingError
-        When a label is too large for PNG, or another run has begun to make the same files.
+        When a label is too large for PNG or a distance for ``"exr16"``, or another run has begun to make the same
+        files.
     ImportError
         When a format needs a package that is not installed.
     OSError

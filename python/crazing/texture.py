@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from crazing import _core, arguments, files, provenance
 from crazing import rng as _rng
+from crazing.errors import CrazingError
 from crazing.material import Material, preset_material
 from crazing.pictures import output
 from crazing.pictures.samples import sources
@@ -39,6 +40,9 @@ MAPS: dict[str, tuple[type[np.generic], int]] = {
 
 #: Most pixels a side of a picture that a plan may have; a window of it has at most `MAX_PIXELS`.
 MAX_SIDE = 1 << 20
+
+#: Largest coordinates and widths, data units.
+_LARGEST, _WHY = 1e30, "lengths are drawn as float32"
 
 #: Most pixels a side of what a notebook shows.
 _SHOWN = 512
@@ -308,7 +312,7 @@ class Texture(Mapping[str, NDArray[Any]]):
         TypeError, ValueError
             For arguments of the wrong kind or range, a map that was not drawn, or several maps for one file.
         CrazingError
-            When a label is too large for PNG.
+            When a label is too large for PNG or a distance for ``"exr16"``.
         ImportError
             When a format needs a package that is not installed.
         OSError
@@ -512,6 +516,8 @@ def _pattern(crack: Any) -> tuple[Any, ...]:
     vertices = arguments.points_array(crack.graph.vertices, "vertices")
     edges = arguments.index_pairs(crack.graph.edges, "edges", limit=len(vertices))
     widths = arguments.real_array(crack.width, "width").reshape(-1, 2)
+    if widths.max(initial=0.0) > _LARGEST:
+        raise CrazingError(f"width holds {widths.max():g}; widths of at most {_LARGEST:g} are wanted: {_WHY}")
     shifts = getattr(crack, "shifts", None)
     shifts = np.zeros((len(edges), 2)) if shifts is None else shifts
     labels = (np.ascontiguousarray(label, dtype=np.int32) for label in (crack.strand, crack.generation))
@@ -519,7 +525,7 @@ def _pattern(crack: Any) -> tuple[Any, ...]:
 
 
 def _drawn(bounds: Any, name: str) -> Bounds:
-    return arguments.areal(arguments.bounds_tuple(bounds, name), name, largest=1e30, why="lengths are drawn as float32")
+    return arguments.areal(arguments.bounds_tuple(bounds, name), name, largest=_LARGEST, why=_WHY)
 
 
 def _sides(names: tuple[str, ...], material: Material, crack: Any, arrays: tuple[Any, ...]) -> tuple[Any, ...]:

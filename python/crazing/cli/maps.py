@@ -16,7 +16,7 @@ from crazing import _core, provenance
 from crazing.arguments import meant
 from crazing.cli.progress import rows
 from crazing.material import preset_material
-from crazing.pictures.output import is_file, refuse_others, words
+from crazing.pictures.output import Wanted, is_file, pictures_of, words
 from crazing.recipe import SEEN, read_toml
 
 #: What a folder gets when no maps are named; a single file gets the colour.
@@ -52,7 +52,8 @@ class Order:
 
     def make(self) -> dict[str, Any]:
         """Makes the files; a report of them."""
-        refuse_others(self.output)
+        # Before any work, and before a folder is made for frames.
+        pictures_of(self.output, Wanted(self._maps(), self.format, self.layout, self._name(), self.metres))
         recipe, material = self._recipe()
         frame = self._frame()
         crack = recipe.crack(**frame, width=self.width, rng=self.seed)

@@ -12,7 +12,7 @@ import crazing
 from crazing.cli.output import seed_without_use
 from crazing.cli.progress import rows
 from crazing.pictures.reading import record_of
-from crazing.rerun import check_version
+from crazing.rerun import again, check_version
 
 
 @click.command("rerun")
@@ -29,9 +29,9 @@ def command(*, file: str, output: str | None, threads: int | None, as_json: bool
     Example: crazing rerun mud/height.png -o height.png
     """
     source = Path(file)
-    target = source.with_name(f"{source.stem}.again{source.suffix}") if output is None else Path(output)
     record = record_of(source)
     check_version(record, source)
+    target = again(source, record) if output is None else Path(output)
     if "picture" in record:
         with rows() as progress:
             made = crazing.rerun(source, target, threads=threads, progress=progress)

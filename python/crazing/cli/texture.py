@@ -102,14 +102,16 @@ def command(ctx: click.Context, /, *, as_json: bool, output: str, **given: Any) 
 
     The first draws ink on paper. Any of --preset, --recipe, --material, --seamless, --maps, --format, --layout,
     --name, --metres and --frames makes maps: one, by default the colour, where PATH ends in .png, .tif, .exr or
-    .zarr, else several in a folder. Maps may have any size; when a run is stopped, the same command goes on with it.
+    .zarr, else several in a folder. Maps may have any size; when a run with --seed is stopped, the same command goes
+    on with it.
 
     The same seed and options give the same pixels, on every machine and with any number of threads. They are kept in
     every file, and crazing rerun makes it again.
     """
     if given["seed"] is None:
         given["seed"] = secrets.randbits(32)
-    if any(given[name] not in (None, False) for name in MAPPED):
+    # A number may be 0, which is equal to False.
+    if any(given[name] is not None and given[name] is not False for name in MAPPED):
         report = _order(ctx, output, given).make()
         files = report["files"]
         words = f"{files[0]}{f' and {len(files) - 1} more' if len(files) > 1 else ''}: {_sizes(report)}"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +16,9 @@ from crazing.pictures.parts import State
 
 #: Most pixels of a picture, since it stands in memory.
 PIXELS = 1 << 28
+
+#: What a disk may refuse; the library tells it in words alone.
+_REFUSALS = (errno.ENOSPC, errno.EFBIG, errno.EDQUOT, errno.EACCES)
 
 
 class Writer:
@@ -52,10 +57,19 @@ class Writer:
             KEY: self.about.text,
         }
         channel = "Y" if self.pixels.ndim == 2 else "RGB"
-        with library.File(header, {channel: self.pixels}) as file:
-            file.write(str(self.path))
+        try:
+            with library.File(header, {channel: self.pixels}) as file:
+                file.write(str(self.path))
+        except RuntimeError as error:
+            raise _told(error, self.path) from None
         del self.pixels
 
     def close(self) -> None:
         """Forget the rows."""
         self.pixels = np.empty(0)
+
+
+def _told(error: RuntimeError, path: Path) -> OSError:
+    """The error of the disk that the library tells of."""
+    number = next((number for number in _REFUSALS if os.strerror(number) in str(error)), errno.EIO)
+    return OSError(number, os.strerror(number), str(path))

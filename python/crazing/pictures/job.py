@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import secrets
 import shutil
+import stat
 from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field
@@ -15,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from crazing.errors import CrazingError
+from crazing.files import alone_in
 from crazing.pictures import exr, png, tiff, zarr
 from crazing.pictures.about import About
 from crazing.pictures.parts import State
@@ -27,6 +29,9 @@ Progress = Callable[[int, int], object]
 #: band that is drawn meanwhile, a run needs some four times as much.
 BANDS = (256, 128, 64, 32, 16)
 BAND_BYTES = 1 << 27
+
+#: A run that has lost its folder makes at most a band's files in it before it looks.
+_TRIES = 8
 
 _JOURNAL, _RECORD, _OWNER = "journal.jsonl", "record.json", "owner"
 
@@ -41,7 +46,7 @@ class Writer(Protocol):
         """Go on behind these bands; none is from the start."""
 
     def write(self, samples: NDArray[Any]) -> State:
-        """Append a band, and say what is needed to go on behind it."""
+        """Append a band, and say what is needed to go on behind it; nothing where a run cannot go on."""
 
     def finish(self) -> None:
         """Complete the file."""
@@ -65,6 +70,9 @@ class Picture:
     name: str
     """Which picture, see `samples.PICTURES`."""
     target: Path
+    """Where it goes, as it was asked for."""
+    place: Path
+    """Where that is, links followed."""
     form: Format
     record: dict[str, Any]
 
@@ -82,6 +90,8 @@ class Job:
     """Distances that whole numbers hold, data units."""
     part: Path
     """The folder of unfinished files."""
+    digest: str
+    """The hash of the pattern: parts of another one are not gone on with."""
     token: str = field(default_factory=lambda: secrets.token_hex(8))
     """Tells this run from others that make the same files."""
 
@@ -97,17 +107,23 @@ class Job:
         writers: list[Writer] = []
         is_begun = False
         try:
-            states = self._left(band)
+            with alone_in(self.part.parent):
+                states = self._left(band)
             is_begun = True
             writers += (self._writer(index, one, band) for index in range(len(self.pictures)))
             done = min(writer.resume(own) for writer, own in _columns(writers, states))
-            for writer, own in _columns(writers, states[:done]):
-                writer.begin(own)
-            self._keep(states[:done])
+            with alone_in(self.part.parent):
+                # Another run may have written more by now, which is not cut off.
+                self._check()
+                for writer, own in _columns(writers, states[:done]):
+                    writer.begin(own)
+                self._keep(states[:done])
             self._bands(writers, band, done, progress)
             for writer in writers:
                 writer.finish()
-            self._check()
+            with alone_in(self.part.parent):
+                self._check()
+                self._put()
         except Exception:
             if is_begun:
                 # Whatever else went wrong: its files were taken away.
@@ -116,11 +132,15 @@ class Job:
         finally:
             for writer in writers:
                 writer.close()
-            if self._is_own() and not _lines(self.part / _JOURNAL):
-                # Nothing that could be gone on with.
-                shutil.rmtree(self.part)
+            with alone_in(self.part.parent):
+                if self._is_own() and not _lines(self.part / _JOURNAL):
+                    # Nothing that could be gone on with.
+                    shutil.rmtree(self.part)
+
+    def _put(self) -> None:
+        """The files in their places."""
         for index, picture in enumerate(self.pictures):
-            _place(self._path(index), picture.target)
+            _place(self._path(index), picture.place)
         shutil.rmtree(self.part)
 
     def _is_own(self) -> bool:
@@ -160,8 +180,9 @@ class Job:
         states = []
         for writer, picture in zip(writers, self.pictures, strict=True):
             states.append(writer.write(samples(picture.name, layer(picture.name, maps), picture.form, self.reach)))
-        journal.write(json.dumps(states) + "\n")
-        journal.flush()
+        if all(states):
+            journal.write(json.dumps(states) + "\n")
+            journal.flush()
 
     def _writer(self, index: int, one: Maps, band: int) -> Writer:
         """The writer of a picture, whose shape and type are those of one row."""
@@ -176,21 +197,25 @@ class Job:
 
     def _left(self, band: int) -> list[list[State]]:
         """What a run of the very same job noted, a list a band; the folder of parts is there afterwards."""
-        own = json.dumps([band, [[picture.target.name, picture.record] for picture in self.pictures]])
+        own = json.dumps([self.digest, band, [[picture.target.name, picture.record] for picture in self.pictures]])
         try:
             if (self.part / _RECORD).read_text(encoding="ascii") == own:
                 (self.part / _OWNER).write_text(self.token, encoding="ascii")
                 return _lines(self.part / _JOURNAL)
         except OSError:
             pass
-        if self.part.exists():
-            shutil.rmtree(self.part)
+        _remove(self.part)
         try:
             self.part.mkdir()
         except FileExistsError:
             raise self._taken() from None
-        (self.part / _OWNER).write_text(self.token, encoding="ascii")
-        (self.part / _RECORD).write_text(own, encoding="ascii")
+        try:
+            (self.part / _OWNER).write_text(self.token, encoding="ascii")
+            (self.part / _RECORD).write_text(own, encoding="ascii")
+        except OSError:
+            # A full disk.
+            _remove(self.part)
+            raise
         return []
 
     def _keep(self, states: list[list[State]]) -> None:
@@ -216,10 +241,21 @@ def _lines(path: Path) -> list[list[State]]:
     return lines
 
 
+def _remove(folder: Path) -> None:
+    """Takes a folder away if it is there, also from a run that is still filling it."""
+    for _ in range(_TRIES):
+        shutil.rmtree(folder, ignore_errors=True)
+        if not folder.exists():
+            return
+    shutil.rmtree(folder)
+
+
 def _place(source: Path, target: Path) -> None:
-    """Puts a finished file, or folder of files, where it belongs."""
+    """Puts a finished file, or folder of files, where it belongs; an existing file keeps its permissions."""
     target.parent.mkdir(exist_ok=True)
     if target.is_dir():
         # A folder cannot be replaced in one step; the old one goes with the folder of parts.
         target.replace(source.with_name(f"{source.name}.before"))
+    elif target.exists():
+        source.chmod(stat.S_IMODE(target.stat().st_mode))
     source.replace(target)

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from crazing import _core, arguments
+from crazing import _core, arguments, provenance
 from crazing.extras import require
 from crazing.files import atomic_write
 from crazing.pictures import layouts, scene
@@ -20,8 +20,8 @@ from crazing.pictures.job import Job, Maps, Picture, Progress
 from crazing.pictures.samples import ENDINGS, FORMATS, PICTURES, REACH, Format
 from crazing.versions import algorithm_version
 
-#: Most metres of a data unit; pixels a metre are then numbers of a file still.
-_FARTHEST = 1e30
+#: Least and most metres of a data unit; pixels a metre are then numbers of a file still.
+_METRES = (1e-30, 1e30)
 
 #: What `maps="all"` makes: every map, and the one that is packed of three.
 ALL = ("normal", *(name for name in PICTURES if not name.startswith("normal")))
@@ -42,6 +42,8 @@ class Shown:
     """Whether the whole repeats."""
     record: Mapping[str, Any]
     """How it is made: version, texture, source."""
+    digest: str
+    """The hash of the pattern, of which the source may say anything."""
 
 
 @dataclass(frozen=True)
@@ -60,8 +62,8 @@ class Wanted:
             arguments.choice(self.format, "format", FORMATS)
         layouts.named(self.layout)
         layouts.checked_name(self.name)
-        if not arguments.number(self.metres, "metres", low=0.0, high=_FARTHEST) > 0:
-            raise ValueError("metres is 0; a number above 0, the size of a data unit, is wanted")
+        low, high = _METRES
+        object.__setattr__(self, "metres", arguments.number(self.metres, "metres", low=low, high=high))
 
 
 #: Endings of pictures that are not written: a folder is not called by them.
@@ -77,8 +79,10 @@ def is_file(path: str | os.PathLike[str]) -> bool:
 
 
 def refuse_others(path: str | os.PathLike[str]) -> None:
-    """Raises where a path names a picture of a kind that is not written, not a folder."""
-    ending = Path(arguments.file_path(path)).suffix.lower()
+    """Raises where a path names a picture of a kind that is not written, not a folder, or nothing at all."""
+    if not os.fspath(arguments.file_path(path)):
+        raise ValueError("path is empty; the name of a file or folder is wanted")
+    ending = Path(path).suffix.lower()
     if ending in _OTHERS and not Path(path).is_dir():
         raise ValueError(f"{os.fspath(path)} ends in {ending}; {', '.join(ENDINGS)} or a folder is wanted")
 
@@ -111,7 +115,9 @@ def pictures_of(path: str | os.PathLike[str], wanted: Wanted) -> tuple[str, ...]
             # The plane of glTF takes them in one picture.
             maps = (*maps, "orm")
         return layouts.chosen(maps, layouts.named(wanted.layout))
-    pictures = layouts.chosen(wanted.maps, layouts.LAYOUTS["plain"])
+    layout = layouts.named(wanted.layout)
+    # Of two kinds of normals one file takes the first.
+    pictures = layouts.chosen(wanted.maps, dataclasses.replace(layout, normals=layout.normals[:1]))
     if len(pictures) != 1:
         raise ValueError(f"{os.fspath(path)} holds one map, {len(pictures)} are wanted; name a folder for several")
     return pictures
@@ -131,23 +137,36 @@ def write(
         require(_LIBRARIES[form.kind], "texture")
     pictures = pictures_of(path, wanted)
     reach = REACH * shown.size[0] / shown.scale
+    real, name = Path(os.path.realpath(target)), _namer(target, form, wanted, shown)
     made = tuple(
         Picture(
-            picture, _file(target, picture, form, wanted, shown), form, _record(picture, word, wanted, shown, reach)
+            picture, target / name(picture), real / name(picture), form, _record(picture, word, wanted, shown, reach)
         )
         for picture in pictures
     )
     density = shown.scale / wanted.metres
-    part = target.parent / f".{target.name or 'texture'}.part"
+    if max(shown.size) / density > _METRES[1]:
+        raise ValueError(
+            f"the whole is {max(shown.size) / density:g} metres wide or high; at most {_METRES[1]:g} are wanted"
+        )
+    part = _part(real, is_file(target))
     try:
-        Job(made, shown.size, draw, (density, density), reach, part).run(progress)
+        Job(made, shown.size, draw, (density, density), reach, part, shown.digest).run(progress)
     except OSError as error:
-        if error.errno is not None and (error.filename is None or Path(error.filename).name == part.name):
-            # Of what was asked for, not of the folder beside it.
-            error.filename = str(target)
+        if error.errno is not None and (error.filename is None or part in (Path(error.filename) / "_").parents):
+            # Of what was asked for, not of the folder of parts.
+            raise OSError(error.errno, error.strerror, str(target)) from error
         raise
     paths = tuple(picture.target for picture in made)
     return paths if is_file(path) else paths + _scenes(target, made, wanted, shown, density)
+
+
+def _part(real: Path, is_one: bool) -> Path:
+    """The folder of unfinished files, from where a rename takes them to their places."""
+    beside = real.parent / f".{real.name}.part"
+    # A folder may lie on another disk than its neighbours, or among what is not the user's. Unlike a path, `os` takes
+    # a name that is too long for one that is not there.
+    return real / ".part" if not is_one and real.is_dir() and not os.path.isdir(beside) else beside  # noqa: PTH112
 
 
 def _check(target: Path) -> None:
@@ -161,11 +180,12 @@ def _check(target: Path) -> None:
         raise FileNotFoundError(2, "lies in no folder", str(target))
 
 
-def _file(target: Path, picture: str, form: Format, wanted: Wanted, shown: Shown) -> Path:
+def _namer(target: Path, form: Format, wanted: Wanted, shown: Shown) -> Callable[[str], str]:
+    """What the file of a picture is called in the folder; nothing where the target is the file itself."""
+    layout, pixels = layouts.named(wanted.layout), max(shown.size)
     if is_file(target):
-        return target
-    layout = layouts.named(wanted.layout)
-    return target / layout.file(wanted.name, picture, max(shown.size), form.word, form.ending)
+        return lambda picture: ""
+    return lambda picture: layout.file(wanted.name, picture, pixels, form.word, form.ending)
 
 
 def _record(picture: str, form: str, wanted: Wanted, shown: Shown, reach: float) -> dict[str, Any]:
@@ -225,4 +245,5 @@ def shown_by(drawing: Any, origin: Mapping[str, Any]) -> Shown:
         "texture": texture,
         "source": dict(origin),
     }
-    return Shown(drawing.size, drawing.scale, drawing.relief, drawing.period is not None, record)
+    digest = provenance.digest_of(drawing.crack)
+    return Shown(drawing.size, drawing.scale, drawing.relief, drawing.period is not None, record, digest)

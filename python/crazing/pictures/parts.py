@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import zlib
 from pathlib import Path
@@ -51,7 +52,9 @@ class Part:
         if flush:
             self.file.flush()
             os.fsync(self.file.fileno())
-        self.file.close()
+        # What a full disk has refused before, it refuses here again.
+        with contextlib.nullcontext() if flush else contextlib.suppress(OSError):
+            self.file.close()
 
 
 def _sum(file: BinaryIO, count: int) -> int | None:

@@ -27,6 +27,9 @@ LABELS = ("cell", "strand", "generation")
 #: All pictures there are.
 PICTURES = (*COLORS, *COVERAGE, *VECTORS, *UNIT, *LABELS, "distance")
 
+#: The largest number of 16 bits.
+_HALF = 65504.0
+
 # Maps that the eye takes for smooth at 8 bits; slopes and lengths need 16.
 _SHALLOW = ("ao", "roughness", "wear", "orm")
 
@@ -88,7 +91,7 @@ def samples(picture: str, numbers: NDArray[Any], form: Format, reach: float) -> 
     Raises
     ------
     CrazingError
-        When a label is too large for the format.
+        When a label or a distance is too large for the format.
     """
     if form.kind == "zarr" or (form.kind == "tiff" and picture in LABELS):
         return numbers
@@ -127,7 +130,12 @@ def _of_exr(picture: str, numbers: NDArray[Any], form: Format) -> NDArray[Any]:
         numbers = _LINEAR[numbers]
     elif picture in COVERAGE:
         numbers = numbers.astype(np.float32) / 255
-    return numbers.astype(np.float16 if form.bits == 16 else np.float32)
+    if form.bits == 32:
+        return numbers.astype(np.float32)
+    most = float(np.abs(numbers).max(initial=0.0, where=np.isfinite(numbers)))
+    if most > _HALF:
+        raise CrazingError(f"{picture} reaches {most:g}; exr16 holds numbers to {_HALF:g}: choose exr32")
+    return numbers.astype(np.float16)
 
 
 def _linear() -> NDArray[np.float32]:

@@ -1,84 +1,166 @@
 //! Rays to the left, to find what lies around a crack that floats.
 
+use std::ops::Range;
+
 use super::faces::{Net, less};
 use crate::graph::Point;
 
-/// What rounding may move the end of an edge by, as a part of a row.
-const ROUNDING: f64 = 1e-9;
+/// What rounding may move the end of an edge by, as a part of the period.
+const ROUNDING: f64 = 1e-12;
 
-/// Edges by the rows of a grid that they meet.
+/// What rounding may move the place by where an edge meets a ray, as a part of all that is there.
+const ASIDE: f64 = 1e-12;
+
+/// Rays of a row, at least.
+const RAYS: usize = 8;
+
+/// Entries that rows may have, for every edge.
+const ENTRIES: usize = 4;
+
+/// The edges that rays to the left may meet, by rows of rays that run next to each other.
 pub(super) struct Rows {
-    bottom: f64,
-    height: f64,
-    rows: Vec<Vec<u32>>,
+    /// Where the rays run, from the bottom up; on a torus within one period.
+    rays: Vec<f64>,
+    /// Rays of a row.
+    stride: usize,
+    rows: Vec<Vec<Entry>>,
+    /// How far an edge may seem to be from where it is.
+    aside: f64,
+}
+
+/// An edge in a row.
+#[derive(Clone, Copy)]
+struct Entry {
+    edge: u32,
+    /// Where its left end is. On a torus, where there is no left and right, 0.
+    from: f64,
+    /// How far to the right it reaches, or any of the row that comes behind it.
+    to: f64,
 }
 
 impl Rows {
-    /// The rows in which rays at some heights run; the others stay empty.
+    /// The rows of rays at some heights.
     pub(super) fn new(net: &Net, rays: impl Iterator<Item = f64>) -> Self {
-        let ends = |k: usize| {
-            let ([a, b], period) =
-                (net.edges[k].map(|vertex| net.places[vertex][1]), net.period.unwrap_or_default()[1]);
-            let b = b + net.turns[k][1] * period;
-            (a.min(b), a.max(b))
-        };
-        let all = 0..net.edges.len();
-        let low = all.clone().map(|k| ends(k).0).fold(f64::INFINITY, f64::min);
-        let high = all.clone().map(|k| ends(k).1).fold(f64::NEG_INFINITY, f64::max);
-        // On a torus a row lies in one period, and edges that leave it come in again.
-        let (bottom, tall) = net.period.map_or((low, (high - low).max(f64::MIN_POSITIVE)), |period| (0.0, period[1]));
-        let count = ((net.edges.len() as f64).sqrt() as usize).clamp(1, 4096);
-        let mut rows = Self { bottom, height: tall / count as f64, rows: vec![Vec::new(); count] };
-        let mut wanted = vec![false; count];
-        rays.for_each(|y| wanted[rows.at(net, y)] = true);
-        for k in all {
-            let (low, high) = ends(k);
-            let (first, last) = (rows.row(low - ROUNDING * rows.height), rows.row(high + ROUNDING * rows.height));
-            for row in first..=last.min(first + count as i64 - 1) {
-                let row = row.rem_euclid(count as i64) as usize;
-                if wanted[row] {
-                    rows.rows[row].push(k as u32);
+        let mut rays: Vec<f64> = rays.map(|y| within(net, y)).collect();
+        rays.sort_unstable_by(f64::total_cmp);
+        let (low, high) = net
+            .places
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| (low.min(place[0]), high.max(place[0])));
+        let mut rows = Self { rays, stride: RAYS, rows: Vec::new(), aside: ASIDE * (high - low) };
+        let most = ENTRIES * net.edges.len();
+        while rows.stride < rows.rays.len() && rows.entries(net, most) > most {
+            rows.stride *= 2;
+        }
+        rows.rows = vec![Vec::new(); rows.rays.len().div_ceil(rows.stride)];
+        for k in 0..net.edges.len() {
+            let [from, to] = span(net, k);
+            for met in rows.met(net, k) {
+                for row in rows.rows_of(met) {
+                    rows.rows[row].push(Entry { edge: k as u32, from, to });
                 }
             }
+        }
+        if net.period.is_none() {
+            rows.rows.iter_mut().for_each(|row| order(row));
         }
         rows
     }
 
-    fn row(&self, y: f64) -> i64 {
-        ((y - self.bottom) / self.height).floor() as i64
+    /// How many entries there are with this stride; counted no farther than where they are too many.
+    fn entries(&self, net: &Net, most: usize) -> usize {
+        let mut count = 0;
+        for k in 0..net.edges.len() {
+            count += self.met(net, k).into_iter().map(|met| self.rows_of(met).len()).sum::<usize>();
+            if count > most {
+                break;
+            }
+        }
+        count
     }
 
-    /// The row of a ray.
-    fn at(&self, net: &Net, y: f64) -> usize {
-        let (row, count) = (self.row(y), self.rows.len() as i64);
-        (if net.period.is_some() { row.rem_euclid(count) } else { row.clamp(0, count - 1) }) as usize
+    fn rows_of(&self, met: Range<usize>) -> Range<usize> {
+        if met.is_empty() { 0..0 } else { met.start / self.stride..(met.end - 1) / self.stride + 1 }
+    }
+
+    /// The rays that an edge may meet; on a torus in up to two parts.
+    fn met(&self, net: &Net, k: usize) -> [Range<usize>; 2] {
+        let from = |y: f64| self.rays.partition_point(|&ray| ray < y);
+        let [a, b] = net.edges[k].map(|vertex| net.places[vertex][1]);
+        let Some([_, period]) = net.period else {
+            return [from(a.min(b))..from(a.max(b)), 0..0];
+        };
+        let (b, slack) = (b + net.turns[k][1] * period, ROUNDING * period);
+        let (low, high) = (a.min(b) - slack, a.max(b) + slack);
+        if high - low >= period {
+            return [0..self.rays.len(), 0..0];
+        }
+        let (low, high) = (within(net, low), within(net, high));
+        let (first, last) = (from(low), self.rays.partition_point(|&ray| ray <= high));
+        if low <= high { [first..last, 0..0] } else { [first..self.rays.len(), 0..last] }
     }
 
     /// The half-edge whose face a ray to the left of a vertex runs through, and from the vertex to its start.
     pub(super) fn left_of(&self, net: &Net, vertex: usize) -> Option<(usize, Point)> {
         let place = net.places[vertex];
-        let period = net.period.unwrap_or_default();
-        // The same for all edges that end there, so that no ray slips through between them.
-        let image = |vertex: usize, turns: Point| {
-            let from = less(net.places[vertex], place);
-            [from[0] + turns[0] * period[0], from[1] + turns[1] * period[1]]
+        let height = within(net, place[1]);
+        let row = &self.rows[self.rays.partition_point(|&ray| ray < height) / self.stride];
+        let seen = match net.period {
+            Some(_) => 0,
+            None => row.partition_point(|entry| entry.from - place[0] >= self.aside),
         };
         let mut best: Option<Hit> = None;
-        for &k in &self.rows[self.at(net, place[1])] {
-            let ([a, b], turns) = (net.edges[k as usize], net.turns[k as usize]);
-            let (start, end) = (image(a, [0.0; 2])[1], image(b, turns)[1]);
-            // The images that may meet the ray.
-            let far = |y: f64| net.period.map_or(0.0, |period| -y / period[1]);
-            for by in far(start.max(end)).floor() as i64..=far(start.min(end)).ceil() as i64 {
-                let by = by as f64;
-                let ends = [image(a, [0.0, by]), image(b, [turns[0], turns[1] + by])];
-                if let Some(hit) = Hit::new(k as usize, ends, net.period.map(|period| period[0])) {
-                    best = Some(best.filter(|best| !hit.is_right_of(best)).unwrap_or(hit));
-                }
+        for entry in &row[seen..] {
+            if net.period.is_none() && best.as_ref().is_some_and(|best| best.at > entry.to - place[0] + self.aside) {
+                // What comes behind lies farther to the left.
+                break;
+            }
+            for hit in hits(net, vertex, entry.edge as usize) {
+                best = Some(best.filter(|best| !hit.is_right_of(best)).unwrap_or(hit));
             }
         }
         best.map(|hit| (hit.half, hit.start))
     }
+}
+
+/// A height, on a torus in the first period.
+fn within(net: &Net, y: f64) -> f64 {
+    net.period.map_or(y, |period| y.rem_euclid(period[1]))
+}
+
+/// The left and the right end of an edge of the plane.
+fn span(net: &Net, k: usize) -> [f64; 2] {
+    let [a, b] = net.edges[k].map(|vertex| net.places[vertex][0]);
+    if net.period.is_some() { [0.0; 2] } else { [a.min(b), a.max(b)] }
+}
+
+/// Sorts a row from the right to the left, and finds how far to the right what comes behind reaches.
+fn order(row: &mut [Entry]) {
+    row.sort_unstable_by(|a, b| b.from.total_cmp(&a.from).then(a.edge.cmp(&b.edge)));
+    let mut to = f64::NEG_INFINITY;
+    for entry in row.iter_mut().rev() {
+        to = to.max(entry.to);
+        entry.to = to;
+    }
+}
+
+/// Where an edge, on a torus its images, meets a ray to the left of a vertex.
+fn hits(net: &Net, vertex: usize, k: usize) -> impl Iterator<Item = Hit> {
+    let (place, period) = (net.places[vertex], net.period.unwrap_or_default());
+    let ([a, b], turns) = (net.edges[k].map(|end| net.places[end]), net.turns[k]);
+    // The same for all edges that end there, so that no ray slips through between them.
+    let image = move |end: Point, turns: Point| {
+        let from = less(end, place);
+        [from[0] + turns[0] * period[0], from[1] + turns[1] * period[1]]
+    };
+    let (start, end) = (image(a, [0.0; 2])[1], image(b, turns)[1]);
+    let (across, up) = (net.period.map(|period| period[0]), net.period.map(|period| period[1]));
+    // The images that may meet the ray.
+    let far = move |y: f64| up.map_or(0.0, |up| -y / up);
+    (far(start.max(end)).floor() as i64..=far(start.min(end)).ceil() as i64).filter_map(move |by| {
+        let by = by as f64;
+        Hit::new(k, [image(a, [0.0, by]), image(b, [turns[0], turns[1] + by])], across)
+    })
 }
 
 /// What a ray to the left meets.
@@ -105,9 +187,11 @@ impl Hit {
         (at - back < 0.0).then_some(Self { at: at - back, up, half, start: [start[0] - back, start[1]] })
     }
 
-    /// Of edges that meet the ray in one place, above it the one to the right comes first.
+    /// Of edges that meet the ray in one place, above it the one to the right comes first; of such as lie on top of each
+    /// other the first.
     fn is_right_of(&self, other: &Self) -> bool {
         let leans = self.up[0] * other.up[1] - other.up[0] * self.up[1];
-        self.at > other.at || (self.at == other.at && leans > 0.0)
+        let comes_first = leans > 0.0 || (leans == 0.0 && self.half / 2 < other.half / 2);
+        self.at > other.at || (self.at == other.at && comes_first)
     }
 }
