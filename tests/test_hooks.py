@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import crazing as cz
-from test_steps import crossings
+from crossings import crossings
 
 
 def turned(degrees: float, pieces: int) -> cz.PlanarGraph:

@@ -143,16 +143,6 @@ SHAPELESS: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
         cz.CrazingError,
         r"density is -0\.49.* at \(0\.0026.*, 0\.997",
     ),
-    "a density of nothing": (
-        lambda: cz.crack(n=9, density=np.zeros((3, 3))),
-        cz.CrazingError,
-        "density is 0 everywhere",
-    ),
-    "a density of nothing, split": (
-        lambda: cz.crack(n=9, generator="splitting", density=lambda x, y: 0.0 * x),
-        cz.CrazingError,
-        "density is 0 everywhere",
-    ),
     "pixels below 0": (
         lambda: cz.sample.from_density([[1.0, 2.0], [0.0, -3.0]], 5),
         cz.CrazingError,

@@ -170,3 +170,11 @@ def test_what_only_mazes_have_is_refused_elsewhere(kind: dict[str, str], idle: d
     # A recipe keeps what its generator does not look at.
     recipe = (cz.preset(kind["preset"]) if "preset" in kind else cz.Recipe(**kind)).replace(n=30)
     assert recipe.replace(**idle).crack(rng=1) == recipe.crack(rng=1)
+
+
+@pytest.mark.parametrize(
+    "given", [{"density": np.zeros((3, 3))}, {"density": lambda x, y: 0 * x, "generator": "splitting"}]
+)
+def test_a_density_of_nothing_is_refused_by_every_generator(given):
+    with pytest.raises(cz.CrazingError, match="density is 0 everywhere"):
+        cz.crack(n=9, **given)

@@ -4,34 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-import shapely
 from numpy.typing import NDArray
 
 import crazing as cz
-
-
-def crossings(c: cz.Crack) -> int:
-    """Pairs of edges that meet anywhere but at a common vertex; of a torus those of 3 x 3 copies."""
-    around = (-1, 0, 1) if c.period else (0,)
-    copies = [np.array((a, b), dtype=int) for a in around for b in around]
-    period = np.array(c.period or (0, 0))
-    segments = np.concatenate([c.segments + copy * period for copy in copies])
-    turns = np.stack([np.zeros_like(c.shifts, dtype=int), c.shifts.astype(int)], axis=1)
-    turns = np.concatenate([turns + copy for copy in copies])
-    vertices = np.tile(c.graph.edges, (len(copies), 1))[:, :, None]
-    ends = np.concatenate([vertices, turns], axis=2)
-    lines = shapely.linestrings(segments)
-    i, j = shapely.STRtree(lines).query(lines, predicate="intersects")
-    i, j = i[i < j], j[i < j]
-    common = (ends[i][:, :, None] == ends[j][:, None]).all(axis=-1)
-    apart = ~common.any(axis=(1, 2))
-    # Edges from one vertex lie on each other only if they leave it in one direction.
-    side_i, side_j = common.any(axis=2).argmax(axis=1), common.any(axis=1).argmax(axis=1)
-    step = segments[:, 1] - segments[:, 0]
-    p, q = ((1 - 2 * side)[:, None] * step[row] for side, row in ((side_i, i), (side_j, j)))
-    folded = (p[:, 0] * q[:, 1] == p[:, 1] * q[:, 0]) & ((p * q).sum(axis=1) > 0)
-    return int((apart | folded).sum())
-
+from crossings import crossings
 
 PLACES = {
     "uniform": lambda seed: cz.sample.uniform(150, rng=seed),
@@ -261,41 +237,6 @@ def test_a_torus_has_its_cells_whatever_its_shape(n: int, bend: float) -> None:
         c = cz.crack(n=n, generator="splitting", period=period, rng=seed, **how)
         assert len(c.graph.edges) - len(c.graph.vertices) == n
         assert crossings(c) == 0 and c.graph.degrees.max() == 3
-
-
-BEYOND = {
-    "rock": lambda seed: cz.crack(preset="rock", bounds=(0, 0, 1.5, 1), rng=seed),
-    "stretched": lambda seed: cz.crack(n=60, opening=0.5, anisotropy=4, angle=30, rng=seed, **FAR),
-    "laplace": lambda seed: cz.crack(n=200, sampler="laplace", rng=seed, **FAR),
-    "points beyond": lambda seed: cz.crack(
-        cz.sample.uniform(200, bounds=(-1, -1, 2, 2), rng=seed), bounds=(0, 0, 1, 1), rng=seed, **FAR
-    ),
-    "impact at a side": lambda seed: cz.crack(n=60, generator="impact", source=(0, 0.5), rng=seed, **FAR),
-    "impact in a corner": lambda seed: cz.crack(n=60, generator="impact", source=(0, 0), rng=seed, **FAR),
-}
-FAR = {"rounds": 5, "warp": 0.3, "roughness": 0.3, "rounding": 1.0, "stubs": 1.0}
-
-
-@pytest.mark.parametrize("name", BEYOND)
-def test_nothing_leaves_the_bounds(name: str) -> None:
-    """Cracks at the sides had room as far as the middles of plates beyond: of rock, nearly all patterns left."""
-    for seed in range(5):
-        c = BEYOND[name](seed)
-        assert shapely.box(*c.bounds).covers(shapely.multipoints(c.graph.vertices))
-        assert crossings(c) == 0
-
-
-@pytest.mark.parametrize("name", ["painting-dutch", "painting-italian", "rock", "glaze", "concrete-spall"])
-def test_cut_ends_lie_on_the_bounds_to_the_last_bit(name: str) -> None:
-    """Every second one of three presets was off by a rounding, and drawn anew (`draw`) it was a free tip."""
-    cut = []
-    for seed in range(6):
-        c = cz.crack(preset=name, rng=seed)
-        outline = shapely.box(*c.bounds).exterior
-        ends = c.graph.vertices[c.graph.degrees == 1]
-        near = ends[shapely.distance(outline, shapely.points(ends)) < 1e-9]
-        cut.extend(((near == c.bounds[:2]) | (near == c.bounds[2:])).any(axis=1))
-    assert len(cut) > 20 and all(cut)
 
 
 def test_an_impact_on_its_own_fence_never_crosses_when_rough() -> None:

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 import crazing as cz
-from test_steps import PLACES, crossings, topology
+from crossings import crossings
+from test_steps import PLACES, topology
 
 MANY = {"stubs": 2.0, "stub_length": 0.2, "stub_spread": 0.5}
 HARD = {"roughness": 0.6, "hurst": 0.4, "grain": 0.05, "warp": 0.5}
