@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import xml.etree.ElementTree as ElementTree
+from dataclasses import replace
 from pathlib import Path
 
 import imagecodecs
@@ -132,3 +133,30 @@ def test_a_periodic_texture_repeats_in_its_scenes(tmp_path) -> None:
     assert json.loads((tmp_path / "a" / "a.gltf").read_text())["samplers"][0]["wrapS"] == 10497
     assert 'value="periodic"' in (tmp_path / "a" / "a.mtlx").read_text()
     assert math.isclose(record_of(tmp_path / "a" / "color.png")["texture"]["texel_size"], 1 / 64)
+
+
+@pytest.mark.parametrize(
+    ("bounds", "size", "tiles"),
+    [
+        (None, (96, 64), True),
+        ((0.1, 0.1, 0.6, 0.85), (96, 64), False),
+        ((0, 0, 2, 1.5), (96, 128), True),
+        ((0, 0, 1, 3), (96, 32), True),
+        ((0, 0, 1.5, 1.5), (96, 96), False),
+    ],
+)
+def test_a_part_of_a_period_does_not_repeat(tmp_path, bounds, size, tiles) -> None:
+    """Its lower border lay in front of its upper one: it cast shadows, and scenes laid it side by side."""
+    crack = cz.crack(preset="bark", period=(1.0, 1.5), rng=5)
+    maps = ("color", "normal", "height", "ao", "roughness")
+    shown = cz.texture(crack, size, maps=maps, bounds=bounds, material=cz.Material(relief=2.0, grain=0.1))
+    assert shown.tiles == tiles
+    assert cz.texture_plan(crack, size, maps="height", bounds=bounds).tiles == tiles
+    shown.save(tmp_path / "a", name="a")
+    assert ('value="periodic"' in (tmp_path / "a" / "a.mtlx").read_text()) == tiles
+    alone = replace(shown, period=None)
+    assert not alone.tiles and np.array_equal(shown.lit(), alone.lit()) != tiles
+    if tiles:
+        by = (17, -23)
+        moved = replace(shown, maps={name: np.roll(array, by, axis=(0, 1)) for name, array in shown.maps.items()})
+        np.testing.assert_array_equal(moved.lit(), np.roll(shown.lit(), by, axis=(0, 1)))

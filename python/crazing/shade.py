@@ -44,7 +44,7 @@ def shade(texture: Texture, *, light: ArrayLike = (-0.55, 0.65, 0.8), exposure: 
     Returns
     -------
     (H, W, 3) uint8
-        sRGB. A periodic texture gives a picture that tiles.
+        sRGB. A texture that tiles gives a picture that does.
 
     Raises
     ------
@@ -102,8 +102,8 @@ def _sunlit(texture: Texture, lamp: NDArray[np.float32]) -> NDArray[np.float32]:
     reach = min(_REACH, int(np.ptp(height) / rise) + 1)
     for step in range(1, reach + 1):
         right, up = round(step * float(lamp[0]) / across), round(step * float(lamp[1]) / across)
-        # The pixel towards the lamp comes to lie here; without a period the border looks at itself.
-        if texture.period is not None:
+        # The pixel towards the lamp comes to lie here; the border of what does not tile looks at itself.
+        if texture.tiles:
             there = np.roll(height, (up, -right), axis=(0, 1))
         else:
             rows = np.clip(np.arange(height.shape[0]) - up, 0, height.shape[0] - 1)

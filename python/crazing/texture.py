@@ -94,6 +94,11 @@ class TexturePlan:
         return getattr(self.crack, "period", None)
 
     @property
+    def tiles(self) -> bool:
+        """Whether opposite sides of the picture fit together: of a periodic pattern, whole periods are shown."""
+        return _tiles(self.size, self.scale, self.period)
+
+    @property
     def scale(self) -> float:
         """Pixels a data unit."""
         xmin, ymin, xmax, ymax = self.bounds
@@ -228,6 +233,11 @@ class Texture(Mapping[str, NDArray[Any]]):
             raise TypeError(f"maps is {arguments.found(given)}; arrays by the names of maps are wanted")
         for array in self.maps.values():
             array.flags.writeable = False
+
+    @property
+    def tiles(self) -> bool:
+        """Whether opposite sides fit together: of a periodic pattern, whole periods are shown."""
+        return _tiles(self.size, self.scale, self.period)
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Through the constructor, so that unpickled maps are read-only again.
@@ -506,6 +516,13 @@ def _writeable(texture: Texture) -> Iterator[dict[str, NDArray[Any]]]:
     finally:
         for array in texture.maps.values():
             array.flags.writeable = False
+
+
+def _tiles(size: tuple[int, int], scale: float, period: tuple[float, float] | None) -> bool:
+    """Whether a picture shows whole periods, which are whole numbers of pixels."""
+    return period is not None and all(
+        pixels % max(1, round(length * scale)) == 0 for pixels, length in zip(size[::-1], period, strict=True)
+    )
 
 
 def _pattern(crack: Any) -> tuple[tuple[Any, ...], Bounds]:

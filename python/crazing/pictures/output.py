@@ -246,4 +246,4 @@ def shown_by(drawing: Any, origin: Mapping[str, Any]) -> Shown:
         "source": dict(origin),
     }
     digest = provenance.digest_of(drawing.crack)
-    return Shown(drawing.size, drawing.scale, drawing.relief, drawing.period is not None, record, digest)
+    return Shown(drawing.size, drawing.scale, drawing.relief, drawing.tiles, record, digest)
