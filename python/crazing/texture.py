@@ -96,7 +96,7 @@ class TexturePlan:
     @property
     def tiles(self) -> bool:
         """Whether opposite sides of the picture fit together: of a periodic pattern, whole periods are shown."""
-        return _tiles(self.size, self.scale, self.period)
+        return output.tiles(self.size, self.scale, self.period)
 
     @property
     def scale(self) -> float:
@@ -237,7 +237,7 @@ class Texture(Mapping[str, NDArray[Any]]):
     @property
     def tiles(self) -> bool:
         """Whether opposite sides fit together: of a periodic pattern, whole periods are shown."""
-        return _tiles(self.size, self.scale, self.period)
+        return output.tiles(self.size, self.scale, self.period)
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Through the constructor, so that unpickled maps are read-only again.
@@ -516,13 +516,6 @@ def _writeable(texture: Texture) -> Iterator[dict[str, NDArray[Any]]]:
     finally:
         for array in texture.maps.values():
             array.flags.writeable = False
-
-
-def _tiles(size: tuple[int, int], scale: float, period: tuple[float, float] | None) -> bool:
-    """Whether a picture shows whole periods, which are whole numbers of pixels."""
-    return period is not None and all(
-        pixels % max(1, round(length * scale)) == 0 for pixels, length in zip(size[::-1], period, strict=True)
-    )
 
 
 def _pattern(crack: Any) -> tuple[tuple[Any, ...], Bounds]:

@@ -223,6 +223,13 @@ def words(maps: str | Iterable[str]) -> tuple[str, ...]:
     return tuple(maps)
 
 
+def tiles(size: tuple[int, int], scale: float, period: tuple[float, float] | None) -> bool:
+    """Whether a picture shows whole periods, which are whole numbers of pixels."""
+    return period is not None and all(
+        pixels % max(1, round(length * scale)) == 0 for pixels, length in zip(size[::-1], period, strict=True)
+    )
+
+
 def shown_by(drawing: Any, origin: Mapping[str, Any]) -> Shown:
     """What a texture or the plan of one shows, with the record that makes it again."""
     texture = {
