@@ -401,8 +401,8 @@ def texture_plan(
         raise TypeError(f"material is {type(material).__name__}; a crazing.Material or the name of a preset is wanted")
     seed = arguments.count(seed, "seed", high=2**63 - 1)
     arguments.thread_count(threads)
-    arrays, box = _pattern(crack)
-    box = box if bounds is None else _drawn(bounds, "bounds")
+    arrays, whole = _pattern(crack)
+    box = whole if bounds is None else _drawn(bounds, "bounds")
     scaled = _scaled(material, crack, arrays)
     sides = _sides(names, material, crack, arrays)
     return TexturePlan(crack, shape, names, material, box, seed, threads, arrays, sides, scaled)
@@ -522,17 +522,16 @@ def _pattern(crack: Any) -> tuple[tuple[Any, ...], Bounds]:
     """Vertices, edges, shifts, width, strand and generation, as the core wants them; the bounds."""
     if not all(hasattr(crack, name) for name in ("graph", "width", "strand", "generation", "bounds")):
         raise TypeError(f"crack is {type(crack).__name__}; a crazing.Crack is wanted")
-    # Of a pattern that is too large in all its parts the bounds are named.
-    box = _drawn(crack.bounds, "crack.bounds")
+    box = _drawn(crack.bounds, "crack.bounds")  # named first where all of a pattern is too large
     vertices = arguments.points_array(crack.graph.vertices, "vertices")
     edges = arguments.index_pairs(crack.graph.edges, "edges", limit=len(vertices))
     widths = arguments.real_array(crack.width, "width").reshape(-1, 2)
     if widths.max(initial=0.0) > _LARGEST:
         raise CrazingError(f"width holds {widths.max():g}; widths of at most {_LARGEST:g} are wanted: {_WHY}")
-    shifts = getattr(crack, "shifts", None)
-    shifts = np.zeros((len(edges), 2)) if shifts is None else shifts
+    given = getattr(crack, "shifts", None)
+    shifts = np.ascontiguousarray(np.zeros((len(edges), 2)) if given is None else given, dtype=np.int8).reshape(-1, 2)
     labels = (np.ascontiguousarray(label, dtype=np.int32) for label in (crack.strand, crack.generation))
-    return (vertices, edges, np.ascontiguousarray(shifts, dtype=np.int8).reshape(-1, 2), widths, *labels), box
+    return (vertices, edges, shifts, widths, *labels), box
 
 
 def _drawn(bounds: Any, name: str) -> Bounds:
