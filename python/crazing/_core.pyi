@@ -192,12 +192,15 @@ def render(
     out: NDArray[np.uint8],
 ) -> None: ...
 def extent(
-    pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints], period: tuple[float, float] | None
+    pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints],
+    period: tuple[float, float] | None,
+    threads: int,
 ) -> tuple[float, float]: ...
 def plates(
     pattern: tuple[_Floats, _Ints, _Shifts, _Floats, _Ints, _Ints],
     bounds: _Bounds,
     period: tuple[float, float] | None,
+    threads: int,
 ) -> tuple[_Ints, _Floats, _Floats]: ...
 def encode_png(
     file: BinaryIO,

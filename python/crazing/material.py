@@ -192,3 +192,18 @@ def _rgb(color: Any, name: str) -> tuple[int, int, int]:
     if alpha != 255:
         raise ValueError(f"{name} is {color!r}; a colour without alpha is wanted")
     return red, green, blue
+
+
+def in_data_units(
+    material: Material, extent: tuple[float, float], bounds: tuple[float, float, float, float]
+) -> dict[str, Any]:
+    """The fields with all lengths in data units, for cracks of such a length in all and such a width."""
+    length, widest = extent
+    xmin, ymin, xmax, ymax = bounds
+    plate = 2.0 * (xmax - xmin) * (ymax - ymin) / length if length > 0.0 else max(xmax - xmin, ymax - ymin)
+    scaled = {name: getattr(material, name) for name in material.__dataclass_fields__}
+    for name in ("relief", "chip_size", "curl_width", "grain_size", "mottle_size", "dirt_width", "wear_width"):
+        scaled[name] = scaled[name] * plate
+    for name in ("rim_width", "chip"):
+        scaled[name] = scaled[name] * widest
+    return {**scaled, "widest": widest}

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from crazing import _core, arguments, files, provenance
 from crazing import rng as _rng
 from crazing.errors import CrazingError
-from crazing.material import Material, preset_material
+from crazing.material import Material, in_data_units, preset_material
 from crazing.pictures import output
 from crazing.pictures.samples import sources
 from crazing.record import equal
@@ -400,11 +400,12 @@ def texture_plan(
     if not isinstance(material, Material):
         raise TypeError(f"material is {type(material).__name__}; a crazing.Material or the name of a preset is wanted")
     seed = arguments.count(seed, "seed", high=2**63 - 1)
-    arguments.thread_count(threads)
+    workers = arguments.thread_count(threads)
     arrays, whole = _pattern(crack)
     box = whole if bounds is None else _drawn(bounds, "bounds")
-    scaled = _scaled(material, crack, arrays)
-    sides = _sides(names, material, crack, arrays)
+    extent = _core.extent(arrays, getattr(crack, "period", None), workers)
+    scaled = in_data_units(material, extent, crack.bounds)
+    sides = _sides(names, material, crack, arrays, workers)
     return TexturePlan(crack, shape, names, material, box, seed, threads, arrays, sides, scaled)
 
 
@@ -538,22 +539,11 @@ def _drawn(bounds: Any, name: str) -> Bounds:
     return arguments.areal(arguments.bounds_tuple(bounds, name), name, largest=_LARGEST, why=_WHY)
 
 
-def _sides(names: tuple[str, ...], material: Material, crack: Any, arrays: tuple[Any, ...]) -> tuple[Any, ...]:
+def _sides(
+    names: tuple[str, ...], material: Material, crack: Any, arrays: tuple[Any, ...], workers: int
+) -> tuple[Any, ...]:
     """The plates beside every edge where a map depends on them; else one plate, without tables."""
     differ = material.tilt or material.level or material.tint or material.curl * material.curl_spread
     if "cell" in names or (differ and not {*names} <= {"mask", "distance", "strand", "generation", "direction"}):
-        return _core.plates(arrays, arguments.bounds_tuple(crack.bounds), getattr(crack, "period", None))
+        return _core.plates(arrays, arguments.bounds_tuple(crack.bounds), getattr(crack, "period", None), workers)
     return np.empty((0, 2), dtype=np.int32), np.empty((0, 4)), np.zeros(1)
-
-
-def _scaled(material: Material, crack: Any, arrays: tuple[Any, ...]) -> dict[str, Any]:
-    """The material's fields with all lengths in data units."""
-    length, widest = _core.extent(arrays, getattr(crack, "period", None))
-    xmin, ymin, xmax, ymax = crack.bounds
-    plate = 2.0 * (xmax - xmin) * (ymax - ymin) / length if length > 0.0 else max(xmax - xmin, ymax - ymin)
-    scaled = {name: getattr(material, name) for name in material.__dataclass_fields__}
-    for name in ("relief", "chip_size", "curl_width", "grain_size", "mottle_size", "dirt_width", "wear_width"):
-        scaled[name] = scaled[name] * plate
-    for name in ("rim_width", "chip"):
-        scaled[name] = scaled[name] * widest
-    return {**scaled, "widest": widest}

@@ -1,5 +1,6 @@
 //! Maps of a crack pattern into arrays that NumPy owns.
 
+use crazing::Watch;
 use crazing::levels::Scale;
 use crazing::texture::{Maps, Material, Pattern, Sides, View, Window, texture as draw};
 use numpy::{Element, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn, PyReadwriteArrayDyn};
@@ -64,26 +65,35 @@ fn view<'a>(arrays: &'a PatternArrays<'_>) -> PyResult<Pattern<'a>> {
     })
 }
 
-/// The plates beside the edges of a crack, as [`texture`] wants them.
+/// The plates beside the edges of a crack, as [`texture`] wants them; on so many threads, 0 for one a core.
 #[pyfunction]
 pub(crate) fn plates<'py>(
     py: Python<'py>,
     pattern: PatternArrays<'py>,
     bounds: [f64; 4],
     period: Option<[f64; 2]>,
+    threads: usize,
 ) -> PyResult<NewSides<'py>> {
     let pattern = view(&pattern)?;
-    let found = detached(py, |watch| crazing::texture::plates(&pattern, bounds, period, watch))?;
+    let work = |watch: Watch<'_>| crazing::texture::plates(&pattern, bounds, period, watch);
+    let found = detached(py, |watch| crazing::in_pool_of(threads, || work(watch)))?;
     let middles =
         found.middles.into_iter().map(|middles| middles.as_flattened().try_into().unwrap_or([0.0; 4])).collect();
     Ok((table(py, found.plates)?, table::<f64, 4>(py, middles)?, PyArray1::from_vec(py, found.reaches)))
 }
 
-/// The length of all edges of a crack together, and the width that one end in twenty exceeds.
+/// The length of all edges of a crack together, and the width that one end in twenty exceeds; on so many threads, 0 for
+/// one a core.
 #[pyfunction]
-pub(crate) fn extent(py: Python<'_>, pattern: PatternArrays<'_>, period: Option<[f64; 2]>) -> PyResult<(f64, f64)> {
+pub(crate) fn extent(
+    py: Python<'_>,
+    pattern: PatternArrays<'_>,
+    period: Option<[f64; 2]>,
+    threads: usize,
+) -> PyResult<(f64, f64)> {
     let pattern = view(&pattern)?;
-    detached(py, |_| crazing::texture::extent(&pattern, period)).map(|found| (found.length, found.widest))
+    let work = || crazing::texture::extent(&pattern, period);
+    detached(py, |_| crazing::in_pool_of(threads, work)).map(|found| (found.length, found.widest))
 }
 
 /// Writes the maps in `out`, C-contiguous arrays by name, for a window (top, left, height, width) of a picture that shows

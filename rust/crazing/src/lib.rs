@@ -34,5 +34,5 @@ pub mod watch;
 pub use diagram::{Diagram, DiagramView};
 pub use error::{Error, Result};
 pub use graph::{PlanarGraph, Point};
-pub use parallel::in_one_pool;
+pub use parallel::{in_one_pool, in_pool_of};
 pub use watch::Watch;

@@ -18,11 +18,18 @@ use crate::watch::Watch;
 /// Fewer items than this are not worth waking threads for.
 const WORTHWHILE: usize = 1 << 15;
 
-/// Whether this is in the midst of a call, and its pool as soon as it needs one.
-type Call = (bool, Option<Rc<ThreadPool>>);
+/// A call that is under way on this thread, if any.
+#[derive(Clone, Default)]
+struct Call {
+    is_on: bool,
+    /// Threads it may have; 0 for one a core.
+    threads: usize,
+    /// As soon as it needs one.
+    pool: Option<Rc<ThreadPool>>,
+}
 
 thread_local! {
-    static CALL: RefCell<Call> = const { RefCell::new((false, None)) };
+    static CALL: RefCell<Call> = const { RefCell::new(Call { is_on: false, threads: 0, pool: None }) };
 }
 
 /// Does `work` with one pool for all of it: to make one takes as long as to look at ten thousand items.
@@ -30,6 +37,11 @@ thread_local! {
 /// A call within a call, as from the handler of a signal that the watch lets in, has a pool of its own: the handler may
 /// have forked, and threads do not come along.
 pub fn in_one_pool<T>(work: impl FnOnce() -> T) -> T {
+    in_pool_of(0, work)
+}
+
+/// The same, with so many threads; 0 is one a core.
+pub fn in_pool_of<T>(threads: usize, work: impl FnOnce() -> T) -> T {
     /// Panics come by here, too.
     struct End(Call);
     impl Drop for End {
@@ -37,16 +49,20 @@ pub fn in_one_pool<T>(work: impl FnOnce() -> T) -> T {
             CALL.replace(std::mem::take(&mut self.0));
         }
     }
-    let _end = End(CALL.replace((true, None)));
+    let _end = End(CALL.replace(Call { is_on: true, threads, pool: None }));
     work()
 }
 
-/// The pool of the call, or a new one outside of any.
+/// The pool of the call, or a new one outside of any; none where one thread is all that is wanted.
 fn pool() -> Option<Rc<ThreadPool>> {
-    let (in_call, pool) = CALL.with_borrow(Clone::clone);
-    let pool = pool.or_else(|| ThreadPoolBuilder::new().build().ok().map(Rc::new));
-    if in_call {
-        CALL.set((true, pool.clone()));
+    let call = CALL.with_borrow(Clone::clone);
+    if call.threads == 1 {
+        return None;
+    }
+    let new = || ThreadPoolBuilder::new().num_threads(call.threads).build().ok().map(Rc::new);
+    let pool = call.pool.or_else(new);
+    if call.is_on {
+        CALL.with_borrow_mut(|call| call.pool.clone_from(&pool));
     }
     pool
 }
@@ -67,7 +83,7 @@ fn choose<T: Send, A: Send>(len: usize, arg: A, one: impl FnOnce(A) -> T, many: 
 
 /// Both results; `b` on a thread of its own when there are many items.
 pub(crate) fn join<A, B: Send>(len: usize, a: impl FnOnce() -> A, b: impl FnOnce() -> B + Send) -> (A, B) {
-    if len < WORTHWHILE {
+    if len < WORTHWHILE || CALL.with_borrow(|call| call.threads == 1) {
         return (a(), b());
     }
     std::thread::scope(|scope| {
@@ -250,7 +266,18 @@ mod tests {
             assert!(before.union(&after).count() <= threads);
             assert!(threads == 1 || before.union(&after).all(|hand| !within.contains(hand)));
         });
-        assert!(CALL.with_borrow(|(in_call, pool)| !in_call && pool.is_none()));
+        assert!(CALL.with_borrow(|call| !call.is_on && call.pool.is_none()));
+    }
+
+    #[test]
+    fn a_call_has_no_more_threads_than_it_may() {
+        let own = || (0..20).map(|_| hand()).collect::<HashSet<_>>();
+        let me = std::thread::current().id();
+        assert_eq!(in_pool_of(1, own), HashSet::from([me]));
+        let (mine, other) = in_pool_of(1, || join(SIZES[3], own, || std::thread::current().id()));
+        assert_eq!((mine, other), (HashSet::from([me]), me));
+        let three = in_pool_of(3, own);
+        assert!(three.len() <= 3 && !three.contains(&me));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::faces::{Net, less};
 use crate::graph::Point;
+use crate::parallel;
 
 /// How near to the bounds a vertex lies on them, as a part of their size.
 const ON_BORDER: f64 = 1e-9;
@@ -64,20 +65,19 @@ impl Net {
     /// Ends the edges at the bounds, and adds these as edges, from vertex to vertex on them. Edges wholly outside stay.
     pub(super) fn close(&mut self, bounds: [f64; 4]) {
         let border = Border::new(bounds);
-        for k in 0..self.edges.len() {
+        let inside = |k: usize| self.edges[k].map(|vertex| border.holds(self.places[vertex as usize]));
+        let leaving =
+            parallel::compact(self.edges.len(), |k| Some((k, inside(k))).filter(|found| found.1 != [true; 2]));
+        for (k, inside) in leaving {
             let (ends, step) = (self.edges[k], self.steps[k]);
-            let start = self.places[ends[0]];
-            let inside = ends.map(|vertex| border.holds(self.places[vertex]));
-            if inside == [true; 2] {
-                continue;
-            }
+            let start = self.places[ends[0] as usize];
             let Some(parts) = border.cut(start, step) else { continue };
             for end in (0..2).filter(|&end| !inside[end]) {
                 let at = [0, 1].map(|axis| start[axis] + parts[end] * step[axis]);
-                self.edges[k][end] = self.places.len();
+                self.edges[k][end] = self.places.len() as u32;
                 self.places.push([0, 1].map(|axis| at[axis].clamp(border.low[axis], border.high[axis])));
             }
-            let [from, to] = self.edges[k].map(|vertex| self.places[vertex]);
+            let [from, to] = self.edges[k].map(|vertex| self.places[vertex as usize]);
             self.steps[k] = less(to, from);
             self.leads.push((k, less(from, start)));
         }
@@ -87,36 +87,41 @@ impl Net {
     /// Adds the edges of the border, but for those along which the crack runs.
     fn frame(&mut self, border: &Border) {
         let mut used = vec![false; self.places.len()];
-        self.edges.as_flattened().iter().for_each(|&vertex| used[vertex] = true);
+        self.edges.as_flattened().iter().for_each(|&vertex| used[vertex as usize] = true);
         let first = self.places.len();
         let ([xmin, ymin], [xmax, ymax]) = (border.low, border.high);
         self.places.extend([[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]]);
         used.extend([true; 4]);
         // Counter-clockwise; the corner comes before a vertex in it.
         let on = |vertex: usize| {
-            border.along(self.places[vertex]).filter(|_| used[vertex]).map(|at| (at, vertex < first, vertex))
+            border.along(self.places[vertex]).filter(|_| used[vertex]).map(|at| (at, vertex < first, vertex as u32))
         };
-        let mut around: Vec<(f64, bool, usize)> = (0..self.places.len()).filter_map(on).collect();
+        let mut around = parallel::compact(self.places.len(), on);
         around.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         // What ends in one place of the border, ends in one vertex.
-        let mut same: Vec<usize> = (0..self.places.len()).collect();
+        let mut same: Vec<u32> = (0..self.places.len() as u32).collect();
         for at in 1..around.len() {
             if around[at].0 - around[at - 1].0 <= border.near {
-                same[around[at].2] = same[around[at - 1].2];
+                same[around[at].2 as usize] = same[around[at - 1].2 as usize];
             }
         }
-        self.edges.as_flattened_mut().iter_mut().for_each(|vertex| *vertex = same[*vertex]);
-        around.retain(|&(_, _, vertex)| same[vertex] == vertex);
-        let is_on = |vertex: &usize| border.along(self.places[*vertex]).is_some();
-        let mut taken: Vec<[usize; 2]> =
-            self.edges.iter().filter(|ends| ends.iter().all(is_on)).map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        parallel::alter(&mut self.edges, |ends| *ends = ends.map(|vertex| same[vertex as usize]));
+        around.retain(|&(_, _, vertex)| same[vertex as usize] == vertex);
+        let is_on = |vertex: &u32| border.along(self.places[*vertex as usize]).is_some();
+        let along = |k: usize| Some(self.edges[k]).filter(|ends| ends.iter().all(is_on)).map(sorted);
+        let mut taken = parallel::compact(self.edges.len(), along);
         taken.sort_unstable();
-        for (from, to) in around.iter().zip(around.iter().cycle().skip(1)) {
-            if taken.binary_search(&[from.2.min(to.2), from.2.max(to.2)]).is_err() {
-                self.edges.push([from.2, to.2]);
-                self.steps.push(less(self.places[to.2], self.places[from.2]));
+        for (from, to) in around.iter().zip(around.iter().cycle().skip(1)).map(|(from, to)| (from.2, to.2)) {
+            if taken.binary_search(&sorted([from, to])).is_err() {
+                self.edges.push([from, to]);
+                self.steps.push(less(self.places[to as usize], self.places[from as usize]));
                 self.turns.push([0.0; 2]);
             }
         }
     }
+}
+
+/// The lesser vertex first.
+fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
 }

@@ -10,6 +10,7 @@ use crate::parallel;
 use crate::watch::Watch;
 
 use super::Pattern;
+use super::halves::Halves;
 use super::walks::{Walk, Walks};
 
 /// The plates beside the edges.
@@ -26,7 +27,7 @@ pub struct Plates {
 /// The edges of the crack, then those of the bounds, as vectors between vertices.
 pub(super) struct Net {
     pub(super) places: Vec<Point>,
-    pub(super) edges: Vec<[usize; 2]>,
+    pub(super) edges: Vec<[u32; 2]>,
     pub(super) steps: Vec<Point>,
     /// From the second vertex of each edge to its second end, in whole periods.
     pub(super) turns: Vec<Point>,
@@ -44,16 +45,16 @@ pub(super) struct Net {
 pub fn plates(pattern: &Pattern<'_>, bounds: [f64; 4], period: Option<Point>, watch: Watch<'_>) -> Result<Plates> {
     pattern.check()?;
     let mut net = Net::new(pattern, bounds, period);
-    let (starts, leaving) = net.leaving();
     watch.poll()?;
-    let after = after(&starts, &leaving);
-    let mut walks = net.walks(&after);
+    let halves = Halves::of(&net);
     watch.poll()?;
-    let is_level = walks.walks.iter().any(Walk::is_level);
+    let mut walks = net.walks(&halves);
+    let is_level = walks.iter().any(Walk::is_level);
     if is_level {
         net.tip();
-        walks = net.walks(&after);
+        walks = net.walks(&halves);
     }
+    watch.poll()?;
     let outermost = Net::outermost(&net.parents(&walks, watch)?);
     let mut found = net.number(&walks, &outermost);
     if is_level {
@@ -89,30 +90,26 @@ pub(super) fn rank(half: usize) -> isize {
     if half.is_multiple_of(2) { edge } else { -edge }
 }
 
-/// Behind every half-edge: at its end the next one clockwise from the way back.
-fn after(starts: &[usize], leaving: &[usize]) -> Vec<usize> {
-    let mut after = vec![0; leaving.len()];
-    for vertex in starts.windows(2) {
-        let around = &leaving[vertex[0]..vertex[1]];
-        let before = around.last().into_iter().chain(around);
-        around.iter().zip(before).for_each(|(&half, &before)| after[half ^ 1] = before);
-    }
-    after
+/// How the plates of a walk are numbered, and where the middle of its plate is, from the start of the walk.
+struct Own {
+    number: i32,
+    middle: Point,
+    closes: bool,
 }
 
 impl Net {
     fn new(pattern: &Pattern<'_>, bounds: [f64; 4], period: Option<Point>) -> Self {
+        let own = pattern.edges.len();
         let places = pattern.vertices.to_vec();
-        let edges: Vec<[usize; 2]> = pattern.edges.iter().map(|edge| edge.map(|vertex| vertex as usize)).collect();
+        let edges: Vec<[u32; 2]> = parallel::map(own, |k| pattern.edges[k].map(|vertex| vertex as u32));
         let turn =
             |k: usize| pattern.shifts.get(k).filter(|_| period.is_some()).map_or([0.0; 2], |by| by.map(f64::from));
-        let turns: Vec<Point> = (0..edges.len()).map(turn).collect();
+        let turns = parallel::map(own, turn);
         let [width, height] = period.unwrap_or_default();
-        let step = |(edge, turn): (&[usize; 2], &Point)| {
-            add(less(places[edge[1]], places[edge[0]]), [turn[0] * width, turn[1] * height])
-        };
-        let steps = edges.iter().zip(&turns).map(step).collect();
-        let own = edges.len();
+        let steps = parallel::map(own, |k| {
+            let [from, to] = edges[k].map(|vertex| places[vertex as usize]);
+            add(less(to, from), [turns[k][0] * width, turns[k][1] * height])
+        });
         let mut net = Self { places, edges, steps, turns, period, leads: Vec::new(), own };
         if period.is_none() {
             net.close(bounds);
@@ -127,72 +124,71 @@ impl Net {
         self.period = self.period.map(|[width, height]| [height, width]);
     }
 
-    /// Where a half-edge starts, and its vector.
-    pub(super) fn half(&self, half: usize) -> (usize, Point) {
-        let (edge, step) = (self.edges[half / 2], self.steps[half / 2]);
-        if half.is_multiple_of(2) { (edge[0], step) } else { (edge[1], [-step[0], -step[1]]) }
+    /// Where a half-edge starts.
+    #[inline]
+    pub(super) fn start(&self, half: usize) -> usize {
+        self.edges[half / 2][half % 2] as usize
     }
 
-    /// The half-edges that leave every vertex, counter-clockwise; those of vertex `v` from `starts[v]` on.
-    fn leaving(&self) -> (Vec<usize>, Vec<usize>) {
-        let mut starts = vec![0; self.places.len() + 1];
-        self.edges.as_flattened().iter().for_each(|&vertex| starts[vertex + 1] += 1);
-        (0..self.places.len()).for_each(|vertex| starts[vertex + 1] += starts[vertex]);
-        let (mut next, mut leaving) = (starts.clone(), vec![0; 2 * self.edges.len()]);
-        for half in 0..leaving.len() {
-            let vertex = self.half(half).0;
-            leaving[next[vertex]] = half;
-            next[vertex] += 1;
-        }
-        let turns = parallel::map(leaving.len(), |half| turn(self.half(half).1));
-        for vertex in starts.windows(2) {
-            leaving[vertex[0]..vertex[1]].sort_by(|&a, &b| turns[a].total_cmp(&turns[b]).then(rank(a).cmp(&rank(b))));
-        }
-        (starts, leaving)
+    /// The vector of a half-edge.
+    #[inline]
+    pub(super) fn vector(&self, half: usize) -> Point {
+        let step = self.steps[half / 2];
+        if half.is_multiple_of(2) { step } else { [-step[0], -step[1]] }
     }
 
-    fn number(&self, walks: &Walks, outermost: &[(usize, Point)]) -> Plates {
-        let mut number = vec![-1; walks.walks.len()];
-        let mut found = Plates::default();
-        let mut outside = None;
-        let mut see = |half: usize, found: &mut Plates| {
-            let (walk, at) = walks.of[half];
-            let (outer, from) = outermost[walk];
-            let shared = !walks.walks[outer].is_alone();
+    fn number(&self, walks: &Walks<'_>, outermost: &[(usize, Point)]) -> Plates {
+        let (owns, count) = self.owns(walks, outermost);
+        let both = |k: usize| [2 * k, 2 * k + 1];
+        let plates = parallel::map(self.own, |k| both(k).map(|half| owns[walks.walk_of(half)].number));
+        let mut middles = parallel::map(self.own, |k| {
+            let [left, right] = both(k).map(|half| less(owns[walks.walk_of(half)].middle, walks.at(half)));
+            // Both as seen from the first end.
+            [left, add(right, self.steps[k])]
+        });
+        for &(k, lead) in &self.leads {
+            middles[k] = middles[k].map(|middle| add(middle, lead));
+        }
+        Plates { plates, middles, reaches: reaches(walks, &owns, count) }
+    }
+
+    /// What each walk goes round, and the number of plates: in the order of their first half-edges, which is that of the
+    /// walks. What goes round no edge of the crack has a number only where it is the outermost of others.
+    fn owns(&self, walks: &Walks<'_>, outermost: &[(usize, Point)]) -> (Vec<Own>, usize) {
+        let (mut number, mut count, mut outside) = (vec![-1; walks.iter().len()], 0, None);
+        let seen = (0..number.len()).take_while(|&walk| walks.first(walk) < 2 * self.own);
+        for outer in seen.map(|walk| outermost[walk].0) {
             if number[outer] < 0 {
-                number[outer] = outside.filter(|_| shared).unwrap_or(found.reaches.len() as i32);
-                if number[outer] as usize == found.reaches.len() {
-                    found.reaches.push(0.0);
-                }
+                let shared = !walks[outer].is_alone();
+                number[outer] = outside.filter(|_| shared).unwrap_or(count);
+                count = count.max(number[outer] + 1);
                 outside = if shared { Some(number[outer]) } else { outside };
             }
-            (number[outer], less(add(from, walks.walks[outer].middle), at))
+        }
+        let own = |&(outer, from): &(usize, Point)| Own {
+            number: number[outer],
+            middle: add(from, walks[outer].middle),
+            closes: walks[outer].closes,
         };
-        for k in 0..self.own {
-            let step = self.steps[k];
-            let mut seen = [2 * k, 2 * k + 1].map(|half| see(half, &mut found));
-            // Both as seen from the first end.
-            seen[1].1 = add(seen[1].1, step);
-            found.plates.push(seen.map(|(plate, _)| plate));
-            found.middles.push(seen.map(|(_, middle)| middle));
-        }
-        for &(k, lead) in &self.leads {
-            found.middles[k] = found.middles[k].map(|middle| add(middle, lead));
-        }
-        self.reach(walks, outermost, &number, &mut found);
-        found
+        (outermost.iter().map(own).collect(), count as usize)
     }
+}
 
-    /// How far the corners of the numbered plates are from their middles, those at the bounds as well.
-    fn reach(&self, walks: &Walks, outermost: &[(usize, Point)], number: &[i32], found: &mut Plates) {
-        for &(walk, at) in &walks.of {
-            let (outer, from) = outermost[walk];
-            // What is not closed has no middle of its own: around a torus one that tilts would meet itself in a step.
-            if number[outer] >= 0 && walks.walks[outer].closes {
-                let [x, y] = less(add(from, walks.walks[outer].middle), at);
-                let reach = &mut found.reaches[number[outer] as usize];
-                *reach = reach.max((x * x + y * y).sqrt());
-            }
-        }
+/// How far the corners of the numbered plates are from their middles, those at the bounds as well.
+fn reaches(walks: &Walks<'_>, owns: &[Own], count: usize) -> Vec<f64> {
+    let reach = |walk: usize| {
+        let own = &owns[walk];
+        // What is not closed has no middle of its own: around a torus one that tilts would meet itself in a step.
+        let corners = if own.number >= 0 && own.closes { walks.along(walk) } else { &[] };
+        corners.iter().fold(0.0_f64, |reach, &at| {
+            let [x, y] = less(own.middle, at);
+            reach.max((x * x + y * y).sqrt())
+        })
+    };
+    let mut reaches = vec![0.0_f64; count];
+    for (own, reach) in owns.iter().zip(parallel::map(owns.len(), reach)).filter(|(own, _)| own.number >= 0) {
+        let most = &mut reaches[own.number as usize];
+        *most = most.max(reach);
     }
+    reaches
 }

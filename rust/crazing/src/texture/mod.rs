@@ -19,6 +19,7 @@ mod faces;
 mod fans;
 mod finish;
 mod grid;
+mod halves;
 mod labels;
 mod lanes;
 mod line;

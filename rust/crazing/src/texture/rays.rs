@@ -86,7 +86,7 @@ impl Rows {
     /// The rays that an edge may meet; on a torus in up to two parts.
     fn met(&self, net: &Net, k: usize) -> [Range<usize>; 2] {
         let from = |y: f64| self.rays.partition_point(|&ray| ray < y);
-        let [a, b] = net.edges[k].map(|vertex| net.places[vertex][1]);
+        let [a, b] = net.edges[k].map(|vertex| net.places[vertex as usize][1]);
         let Some([_, period]) = net.period else {
             return [from(a.min(b))..from(a.max(b)), 0..0];
         };
@@ -130,7 +130,7 @@ fn within(net: &Net, y: f64) -> f64 {
 
 /// The left and the right end of an edge of the plane.
 fn span(net: &Net, k: usize) -> [f64; 2] {
-    let [a, b] = net.edges[k].map(|vertex| net.places[vertex][0]);
+    let [a, b] = net.edges[k].map(|vertex| net.places[vertex as usize][0]);
     if net.period.is_some() { [0.0; 2] } else { [a.min(b), a.max(b)] }
 }
 
@@ -147,7 +147,7 @@ fn order(row: &mut [Entry]) {
 /// Where an edge, on a torus its images, meets a ray to the left of a vertex.
 fn hits(net: &Net, vertex: usize, k: usize) -> impl Iterator<Item = Hit> {
     let (place, period) = (net.places[vertex], net.period.unwrap_or_default());
-    let ([a, b], turns) = (net.edges[k].map(|end| net.places[end]), net.turns[k]);
+    let ([a, b], turns) = (net.edges[k].map(|end| net.places[end as usize]), net.turns[k]);
     // The same for all edges that end there, so that no ray slips through between them.
     let image = move |end: Point, turns: Point| {
         let from = less(end, place);

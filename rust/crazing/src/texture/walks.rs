@@ -1,16 +1,48 @@
 //! Walks around the faces of a crack, and which of them go round one and the same face.
 
 use super::faces::{Net, add, less, rank, turn};
+use super::halves::Halves;
 use super::rays::Rows;
 use crate::error::Result;
 use crate::graph::Point;
+use crate::parallel;
 use crate::watch::Watch;
 
-/// Walks around faces.
-pub(super) struct Walks {
-    /// The walk of every half-edge, and where in it the half-edge starts, from the start of the walk.
-    pub(super) of: Vec<(usize, Point)>,
-    pub(super) walks: Vec<Walk>,
+/// Walks around faces, in the order of their first half-edges.
+pub(super) struct Walks<'a> {
+    halves: &'a Halves,
+    /// Where each half-edge of the row starts, from the start of its walk.
+    ats: Vec<Point>,
+    walks: Vec<Walk>,
+}
+
+impl std::ops::Deref for Walks<'_> {
+    type Target = [Walk];
+
+    fn deref(&self) -> &[Walk] {
+        &self.walks
+    }
+}
+
+impl Walks<'_> {
+    pub(super) fn walk_of(&self, half: usize) -> usize {
+        self.halves.seats[half][0] as usize
+    }
+
+    /// Where in its walk a half-edge starts, from the start of the walk.
+    pub(super) fn at(&self, half: usize) -> Point {
+        self.ats[self.halves.seats[half][1] as usize]
+    }
+
+    /// The first half-edge of a walk.
+    pub(super) fn first(&self, walk: usize) -> usize {
+        self.halves.row[self.halves.starts[walk] as usize] as usize
+    }
+
+    /// Where the half-edges of a walk start.
+    pub(super) fn along(&self, walk: usize) -> &[Point] {
+        &self.ats[self.halves.part(walk)]
+    }
 }
 
 /// A walk around a face, or around a part of one.
@@ -48,66 +80,72 @@ fn cross(a: Point, b: Point) -> f64 {
 
 impl Net {
     /// Walks around every face, from half-edge to half-edge.
-    pub(super) fn walks(&self, after: &[usize]) -> Walks {
-        let mut walks = Walks { of: vec![(usize::MAX, [0.0; 2]); after.len()], walks: Vec::new() };
-        let mut halves = Vec::new();
-        for first in 0..after.len() {
-            if walks.of[first].0 != usize::MAX {
-                continue;
-            }
-            let (mut half, mut at) = (first, [0.0; 2]);
-            halves.clear();
-            while walks.of[half].0 == usize::MAX {
-                walks.of[half] = (walks.walks.len(), at);
-                halves.push(half);
-                (half, at) = (after[half], add(at, self.half(half).1));
-            }
-            let wraps = self.period.map_or([0.0; 2], |period| [0, 1].map(|axis| (at[axis] / period[axis]).round()));
-            walks.walks.push(self.walk(&halves, &walks.of, wraps));
-        }
-        walks
+    pub(super) fn walks<'a>(&self, halves: &'a Halves) -> Walks<'a> {
+        let mut ats = vec![[0.0; 2]; halves.row.len()];
+        let count = halves.starts.len() - 1;
+        parallel::grouped(
+            count,
+            |walk| halves.starts[walk] as usize,
+            &mut ats,
+            |walks, mut rest| {
+                for walk in walks {
+                    let (own, mut at);
+                    (own, rest) = rest.split_at_mut(halves.part(walk).len());
+                    at = [0.0; 2];
+                    for (slot, &half) in own.iter_mut().zip(&halves.row[halves.part(walk)]) {
+                        *slot = at;
+                        at = add(at, self.vector(half as usize));
+                    }
+                }
+            },
+        );
+        let walk = |walk: usize| self.walk(&halves.row[halves.part(walk)], &ats[halves.part(walk)]);
+        let walks = parallel::ranges(count, |range| range.map(walk).collect::<Vec<_>>()).concat();
+        Walks { halves, ats, walks }
     }
 
-    /// What a walk along some half-edges is.
-    fn walk(&self, halves: &[usize], of: &[(usize, Point)], wraps: Point) -> Walk {
+    /// What a walk along some half-edges is, which start where `ats` says.
+    fn walk(&self, halves: &[u32], ats: &[Point]) -> Walk {
+        let last = halves.len() - 1;
+        let end = add(ats[last], self.vector(halves[last] as usize));
+        let wraps = self.period.map_or([0.0; 2], |period| [0, 1].map(|axis| (end[axis] / period[axis]).round()));
         let lean = self.lean(wraps);
         let (mut area, mut sum, mut mean) = (0.0, [0.0; 2], [0.0; 2]);
-        let (mut left, mut aside) = (halves[0], f64::INFINITY);
-        for &half in halves {
-            let at = of[half].1;
-            let to = add(at, self.half(half).1);
+        let (mut left, mut aside) = (0, f64::INFINITY);
+        for (i, &at) in ats.iter().enumerate() {
+            let to = ats.get(i + 1).copied().unwrap_or(end);
             let slice = cross(at, to);
             area += slice;
             sum = add(sum, [slice * (at[0] + to[0]), slice * (at[1] + to[1])]);
             mean = add(mean, at);
             let own = at[0] - lean * at[1];
             if own < aside {
-                (left, aside) = (half, own);
+                (left, aside) = (i, own);
             }
         }
         // What closes a face from outside has it to the right of its leftmost vertex.
-        let closes = wraps == [0.0; 2] && !self.opens_left(halves, of, left);
+        let closes = wraps == [0.0; 2] && !self.opens_left(halves, ats, left);
         let middle = if closes && area > 0.0 {
             sum.map(|part| part / (3.0 * area))
         } else {
             mean.map(|part| part / halves.len() as f64)
         };
-        Walk { closes, wraps, middle, left }
+        Walk { closes, wraps, middle, left: halves[left] as usize }
     }
 
     /// Whether a walk passes the start of one of its half-edges so that what lies straight to the left of there is to
     /// the left of the walk.
-    fn opens_left(&self, halves: &[usize], of: &[(usize, Point)], left: usize) -> bool {
-        let (vertex, there) = (self.half(left).0, of[left].1);
-        let place = |half: usize| (turn(self.half(half).1), rank(half));
+    fn opens_left(&self, halves: &[u32], ats: &[Point], left: usize) -> bool {
+        let (vertex, there) = (self.start(halves[left] as usize), ats[left]);
+        let place = |half: usize| (turn(self.vector(half)), rank(half));
         // A walk may pass a vertex several times, and on a torus several images of it.
-        let is_there = |half: usize| {
-            let apart = less(of[half].1, there);
+        let is_there = |i: usize| {
+            let apart = less(ats[i], there);
             let far = |axis: usize| self.period.is_some_and(|period| apart[axis].abs() > period[axis] / 2.0);
-            self.half(half).0 == vertex && !far(0) && !far(1)
+            self.start(halves[i] as usize) == vertex && !far(0) && !far(1)
         };
-        let mut corners = halves.last().into_iter().chain(halves).zip(halves);
-        corners.any(|(&before, &half)| is_there(half) && place(half) >= place(before ^ 1))
+        let before = |i: usize| halves[if i == 0 { halves.len() } else { i } - 1] as usize;
+        (0..halves.len()).any(|i| is_there(i) && place(halves[i] as usize) >= place(before(i) ^ 1))
     }
 
     /// How far to the right a way round the torus leads for every unit up.
@@ -118,19 +156,17 @@ impl Net {
 
     /// For every walk around something that floats the walk around the face it floats in, and where that starts; for one
     /// up round the torus, likewise that on the other side of its strip.
-    pub(super) fn parents(&self, walks: &Walks, watch: Watch<'_>) -> Result<Vec<Option<(usize, Point)>>> {
-        let floats = walks.walks.iter().filter(|walk| walk.looks_left());
-        let rows = Rows::new(self, floats.map(|walk| self.places[self.half(walk.left).0][1]));
-        let mut parents = Vec::with_capacity(walks.walks.len());
-        for (id, walk) in walks.walks.iter().enumerate() {
+    pub(super) fn parents(&self, walks: &Walks<'_>, watch: Watch<'_>) -> Result<Vec<Option<(usize, Point)>>> {
+        let floats = walks.iter().filter(|walk| walk.looks_left());
+        let rows = Rows::new(self, floats.map(|walk| self.places[self.start(walk.left)][1]));
+        let mut parents = Vec::with_capacity(walks.len());
+        for (id, walk) in walks.iter().enumerate() {
             watch.poll_at(id)?;
-            let start = walks.of[walk.left].1;
-            let hit = walk.looks_left().then(|| rows.left_of(self, self.half(walk.left).0)).flatten();
-            parents.push(hit.map(|(half, to_start)| {
-                let (parent, at) = walks.of[half];
-                // The start of the parent's walk, seen from the start of this one.
-                (parent, less(add(start, to_start), at))
-            }));
+            let hit = walk.looks_left().then(|| rows.left_of(self, self.start(walk.left))).flatten();
+            // The start of the parent's walk, seen from the start of this one.
+            let seen =
+                |(half, to_start)| (walks.walk_of(half), less(add(walks.at(walk.left), to_start), walks.at(half)));
+            parents.push(hit.map(seen));
         }
         Ok(parents)
     }
