@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +14,7 @@ import pytest
 os.environ.setdefault("MPLBACKEND", "Agg")
 
 ROOT = Path(__file__).parents[1]
-RUST_LINES = pytest.StashKey[list[str]]()
+CLOSING = "closing line"
 
 
 @pytest.fixture(scope="session")
@@ -23,10 +25,10 @@ def root() -> Path:
     return ROOT
 
 
-@pytest.fixture(scope="session")
-def rust_lines(pytestconfig: pytest.Config) -> list[str]:
-    """Lines to be printed under the Python tests' own report."""
-    return pytestconfig.stash.setdefault(RUST_LINES, [])
+@pytest.fixture
+def closing_line(record_property: Callable[[str, object], None]) -> Callable[[str], None]:
+    """Takes a line to be printed under the Python tests' own report, from whichever worker."""
+    return partial(record_property, CLOSING)
 
 
 @pytest.fixture
@@ -35,9 +37,10 @@ def rng() -> np.random.Generator:
     return np.random.default_rng(20260722)
 
 
-def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     """Shows the Rust tests' closing lines, so that both languages' counts stand in one output."""
-    lines = config.stash.get(RUST_LINES, [])
+    ended = [report for kind in ("passed", "failed") for report in terminalreporter.stats.get(kind, [])]
+    lines = [line for report in ended for name, line in report.user_properties if name == CLOSING]
     if lines:
         terminalreporter.section("cargo test")
         for line in lines:
