@@ -159,7 +159,9 @@ class Ground:
         m, brute = self.m, self.brute
         self.tint, rise, curl = self._per_plate()
         bare, radius = brute.nearest[:2]
-        self.distance = bare - self.chip
+        chipped = bare - self.chip
+        frayed = m.fray * radius * np.clip(0.5 + self.noise["grain"], 0, 1)
+        self.distance = chipped - np.maximum(frayed - 0.5 * np.maximum(chipped, 0), 0)
         near, bent = (
             np.clip(1 - np.maximum(self.distance, 0) / width, 0, None) if width else np.zeros(brute.shape)
             for width in (m.rim_width, m.curl_width)
@@ -173,7 +175,7 @@ class Ground:
         height = np.where(self.distance < 0, height + (floor - height) * wall, height)
         self.ao = self._sky(self.distance, radius, height, rise)
         self.height = np.clip(height + m.grain * self.noise["grain"], 0, 1)
-        if m.tilt == m.level == m.grain == m.curl * m.curl_spread == 0:
+        if m.tilt == m.level == m.grain == m.fray == m.curl * m.curl_spread == 0:
             # Of plates that are all alike nothing is raised beyond this.
             reach = max(m.rim_width * (m.rim != 0), m.curl_width * (m.curl != 0)) + m.chip
             self.height[bare >= reach], self.ao[bare >= reach] = self.top, 1
@@ -185,9 +187,9 @@ class Ground:
         return np.where((near > 0) & (below > 0), (seen[0] + seen[1]) / 2, 1)
 
     def crack_share(self) -> Floats:
-        """How much of a pixel is crack, chips included."""
+        """How much of a pixel is crack, chips and frayed sides included."""
         covered = self.brute.coverage()
-        return np.maximum(covered, np.clip(0.5 - self.distance, 0, 1)) if self.m.chip else covered
+        return np.maximum(covered, np.clip(0.5 - self.distance, 0, 1)) if self.m.chip or self.m.fray else covered
 
     def wear(self) -> Floats:
         near = np.clip(1 - np.maximum(self.distance, 0) / self.m.wear_width, 0, 1) if self.m.wear_width else 0.0

@@ -50,6 +50,9 @@ class Material:
         How far the rim is rounded off, and how far from the crack that begins, in widths.
     chip, chip_size : float
         How far, in widths, chips have broken out of the rims, and their size, in plates.
+    fray : float
+        How far the sides of cracks are broken, at most, in half their own width: where the grain is high, so that no
+        side is like the other, and down to two pixels. Mask and distance stay those of the geometry.
     curl, curl_width, curl_spread : float
         How far plates rise towards their edges (negative: fall), over which width, in plates, and how much plates
         differ in that.
@@ -92,6 +95,7 @@ class Material:
     rim_width: float = 0.8
     chip: float = 0.0
     chip_size: float = 0.05
+    fray: float = 0.0
     curl: float = 0.0
     curl_width: float = 0.3
     curl_spread: float = 0.5

@@ -107,7 +107,7 @@ impl Cut {
         let low = |axis: usize| corner[axis] + (region[axis] - corner[axis]).div_euclid(step) * step;
         let high = |axis: usize| corner[axis] + ((region[axis + 2] - corner[axis]).div_euclid(step) + 1) * step;
         let bins = Bins::new(&pieces, [low(0), low(1), high(0), high(1)], side)?;
-        Ok(Set { pieces, bins, whole: *whole })
+        Ok(Set { pieces, bins, whole: *whole, widest })
     }
 }
 

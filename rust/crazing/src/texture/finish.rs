@@ -218,6 +218,20 @@ impl Scene<'_> {
         distance - self.chip_depth * deep * deep
     }
 
+    /// How far the crack is frayed, in radii: farthest where the grain is high.
+    #[inline(always)]
+    pub(super) fn frayed(&self, grain: f32) -> f32 {
+        self.fray * unit(0.5 + grain)
+    }
+
+    /// The radius of the crack nearest to a pixel.
+    fn radius(&self, row: &Row<'_>, x: usize) -> f32 {
+        row.piece(x).map_or(0.0, |piece| {
+            let [dx, dy] = row.offset(x, piece);
+            piece.foot(dx, dy).radius
+        })
+    }
+
     /// 1 over how far what has settled beside the crack reaches at a pixel.
     fn dirt_rate(&self, row: &Row<'_>, x: usize, distance: f32) -> f32 {
         match (&self.dust, row.piece(x)) {
@@ -234,10 +248,15 @@ impl Scene<'_> {
     fn tones(&self, row: &Row<'_>, rows: &Rows, maps: &mut Maps<'_>) {
         let tinted = self.look.tint != 0.0;
         for (x, &distance) in row.distance.iter().enumerate() {
-            let distance = self.chipped(distance, rows.chip.value[x]);
+            let mut distance = self.chipped(distance, rows.chip.value[x]);
+            // Farther off nothing is frayed, nor asked how wide the crack is.
+            if distance < 2.0 * self.fray * row.set.widest {
+                let frayed = self.frayed(rows.grain.value[x]) * self.radius(row, x) - 0.5 * distance.max(0.0);
+                distance -= frayed.max(0.0);
+            }
             let covered = row.mask.map_or(0.0, |mask| f32::from(mask[x]) / 255.0);
             let chipped = unit(0.5 - distance);
-            let crack = if self.chip_depth > 0.0 && chipped > covered { chipped } else { covered };
+            let crack = if self.chip_depth.max(self.fray) > 0.0 && chipped > covered { chipped } else { covered };
             let tint = if tinted { self.plate(row, x).map_or(0.0, |plate| plate.tint) } else { 0.0 };
             let (mottle, grain) = (rows.mottle.value[x], rows.grain.value[x]);
             let place = Place { distance, crack, tint, dirt_rate: self.dirt_rate(row, x, distance), mottle, grain };

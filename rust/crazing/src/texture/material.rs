@@ -18,6 +18,7 @@ pub struct Material {
     pub rim_width: f32,
     pub chip: f32,
     pub chip_size: f32,
+    pub fray: f32,
     pub curl: f32,
     pub curl_width: f32,
     pub curl_spread: f32,
@@ -47,11 +48,38 @@ pub struct Material {
 impl Material {
     /// Refuses what is not a number, and a ramp without a colour.
     pub(super) fn check(&self) -> Result<()> {
-        let Self { relief, widest, depth, roundness, rim, rim_width, chip, chip_size, curl, curl_width, .. } = *self;
-        let Self { curl_spread, tilt, level, grain, grain_size, tint, mottle, mottle_size, speckle, .. } = *self;
+        let Self { relief, widest, depth, roundness, rim, rim_width, chip, chip_size, fray, .. } = *self;
+        let Self {
+            curl,
+            curl_width,
+            curl_spread,
+            tilt,
+            level,
+            grain,
+            grain_size,
+            tint,
+            mottle,
+            mottle_size,
+            speckle,
+            ..
+        } = *self;
         let Self { dirt_amount, dirt_width, dirt_taper, wear, wear_width, roughness, roughness_spread, .. } = *self;
-        let shape = [relief, widest, depth, roundness, rim, rim_width, chip, chip_size, curl, curl_width, curl_spread];
-        let plates = [tilt, level, grain, grain_size, tint, mottle, mottle_size, speckle, dirt_amount, dirt_width];
+        let shape = [relief, widest, depth, roundness, rim, rim_width, chip, chip_size, fray];
+        let plates = [
+            curl,
+            curl_width,
+            curl_spread,
+            tilt,
+            level,
+            grain,
+            grain_size,
+            tint,
+            mottle,
+            mottle_size,
+            speckle,
+            dirt_amount,
+            dirt_width,
+        ];
         let rest = [dirt_taper, wear, wear_width, roughness, roughness_spread, self.crack_roughness, self.debris];
         let all = shape.iter().chain(&plates).chain(&rest);
         match all.copied().find(|value| !value.is_finite()) {

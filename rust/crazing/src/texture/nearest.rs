@@ -27,6 +27,8 @@ pub(super) struct Set {
     pub(super) bins: Bins,
     /// Whether nothing lies outside the bins, or nothing that is nearer than what lies inside.
     pub(super) whole: bool,
+    /// The radius of the widest disc of any.
+    pub(super) widest: f32,
 }
 
 /// Nearest pieces of a page of pixels.
@@ -64,7 +66,7 @@ impl Search {
     /// Finds the pieces that may be nearest in the page whose top left pixel is given, for pixels
     /// nearer to the crack than `reach`; false if the region of the bins is too small to tell.
     pub(super) fn open(&mut self, page: &mut Page, set: &Set, corner: [i64; 2], reach: f32) -> bool {
-        let Set { pieces, bins, whole } = set;
+        let Set { pieces, bins, whole, .. } = set;
         self.stamps.resize(pieces.len().max(self.stamps.len()), 0);
         self.stamp += 1;
         self.found.clear();

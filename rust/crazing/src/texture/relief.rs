@@ -23,6 +23,9 @@ struct Ground {
     distance: Group,
     /// How the chips change it a pixel to the right and a pixel down.
     chips: [Group; 2],
+    /// How far the crack is frayed, in radii, and how that changes.
+    fray: Group,
+    frays: [Group; 2],
     /// How much higher than usual the plate is, and how that changes.
     rise: Group,
     slope: [Group; 2],
@@ -63,6 +66,7 @@ impl Scene<'_> {
                 (ground.bare, ground.distance) = (distances, distances);
                 ground.beneath.find(row, first);
                 self.chip(first, rows, &mut ground);
+                self.fray(first, rows, &mut ground);
                 self.raise(row, first, rows, &mut ground);
                 for at in (0..GROUP).step_by(S::F32_LANES) {
                     self.stand(simd, at, &ground, &mut relief, [normal.is_some(), sky.is_some()]);
@@ -95,6 +99,21 @@ impl Scene<'_> {
             ground.distance[lane] = self.chipped(ground.distance[lane], chip.value);
             ground.chips[0][lane] = deep * chip.slope[0];
             ground.chips[1][lane] = deep * chip.slope[1];
+        }
+    }
+
+    /// How far the crack is frayed.
+    #[inline(always)]
+    fn fray(&self, first: usize, rows: &Rows, ground: &mut Ground) {
+        if self.fray == 0.0 {
+            return;
+        }
+        for lane in 0..GROUP.min(rows.grain.value.len() - first) {
+            let grain = rows.grain.at(first + lane);
+            ground.fray[lane] = self.frayed(grain.value);
+            let steep = if grain.value.abs() < 0.5 { self.fray } else { 0.0 };
+            ground.frays[0][lane] = steep * grain.slope[0];
+            ground.frays[1][lane] = steep * grain.slope[1];
         }
     }
 
@@ -133,17 +152,20 @@ impl Scene<'_> {
     /// What stands on the ground; normals and occlusion only where they are wanted.
     #[inline(always)]
     fn stand<S: Simd>(&self, simd: S, at: usize, ground: &Ground, relief: &mut Relief, [normal, sky]: [bool; 2]) {
-        let distance = Several::load(simd, &ground.distance, at);
+        let (distance, fray) = (Several::load(simd, &ground.distance, at), Several::load(simd, &ground.fray, at));
         let (rise, curl) = (Several::load(simd, &ground.rise, at), Several::load(simd, &ground.curl, at));
         let discs = ground.beneath.discs(simd, at);
         let radius = discs.foot.radius;
-        let found = if is_outside(&ground.distance[at..at + S::F32_LANES]) {
+        let (zero, one) = (distance.like(0.0), distance.like(1.0));
+        let (bare, half) = (distance, distance.like(0.5));
+        let frayed = fray * radius - half * bare.at_least(zero);
+        let distance = bare - frayed.at_least(zero);
+        let found = if self.fray == 0.0 && is_outside(&ground.distance[at..at + S::F32_LANES]) {
             self.profile.beside(distance, rise, curl)
         } else {
             self.profile.at(distance, radius, rise, curl)
         };
         // Of plates that are all alike all is level from some distance on, to the last bit.
-        let (zero, one) = (distance.like(0.0), distance.like(1.0));
         let reach = distance.like(if self.plain { self.profile.reach } else { f32::INFINITY });
         let near = Several::load(simd, &ground.bare, at).is_below(reach);
         let height = found.height + Several::load(simd, &ground.grain, at);
@@ -160,8 +182,14 @@ impl Scene<'_> {
             let pixels = distance.like(self.profile.relief);
             let pixels = pixels.where_(zero.is_below(height), zero).where_(height.is_below(one), zero);
             let grain = [0, 1].map(|axis| Several::load(simd, &ground.grain_slope[axis], at));
-            let x = (found.slope(by_place[0] - chips[0], grows[0], by_plate[0]) + grain[0]) * pixels;
-            let y = (found.slope(by_place[1] - chips[1], grows[1], by_plate[1]) + grain[1]) * pixels;
+            let by_place = [0, 1].map(|axis| {
+                let bare_by = by_place[axis] - chips[axis];
+                let far = (half * bare_by).where_(zero.is_below(bare), zero);
+                let frays = fray * grows[axis] + radius * Several::load(simd, &ground.frays[axis], at) - far;
+                bare_by - frays.where_(zero.is_below(frayed), zero)
+            });
+            let x = (found.slope(by_place[0], grows[0], by_plate[0]) + grain[0]) * pixels;
+            let y = (found.slope(by_place[1], grows[1], by_plate[1]) + grain[1]) * pixels;
             let length = one / (x * x + y * y + one).root();
             (-x * length).where_(near, zero).store(&mut relief.normal[0], at);
             (y * length).where_(near, zero).store(&mut relief.normal[1], at);

@@ -87,13 +87,15 @@ impl Wants {
 
     fn grain(&self, material: &Material) -> bool {
         let shown = [material.speckle, material.roughness_spread, material.debris] != [0.0; 3];
-        (self.profile && material.grain != 0.0) || (self.look && shown)
+        let frayed = (self.profile || self.look) && material.fray != 0.0;
+        (self.profile && material.grain != 0.0) || (self.look && shown) || frayed
     }
 }
 
-/// Whether plates are level and alike.
+/// Whether plates are level and alike, and cracks raise nothing beyond a reach that is known.
 fn is_plain(material: &Material) -> bool {
-    [material.grain, material.level, material.tilt, material.curl * material.curl_spread] == [0.0; 4]
+    let Material { grain, level, tilt, fray, .. } = *material;
+    [grain, level, tilt, fray, material.curl * material.curl_spread] == [0.0; 5]
 }
 
 /// What every thread reads.
@@ -125,6 +127,7 @@ pub(super) struct Scene<'a> {
     pub(super) mottle: Vec<Noise>,
     pub(super) chip: Vec<Noise>,
     pub(super) chip_depth: f32,
+    pub(super) fray: f32,
     pub(super) grain_height: f32,
     pub(super) level: f32,
     pub(super) tilt: f32,
@@ -178,6 +181,7 @@ impl<'a> Scene<'a> {
             mottle: octaves(wants.look, 1, material.mottle_size, 3),
             chip: octaves(material.chip > 0.0 && (wants.profile || wants.look), 2, material.chip_size, 2),
             chip_depth: (f64::from(material.chip) * grid.scale) as f32,
+            fray: material.fray,
             grain_height: material.grain,
             level: material.level,
             tilt: material.tilt,
@@ -228,7 +232,7 @@ impl Asked<'_> {
         let threads = if pattern.edges.len() < WORTHWHILE { 1 } else { threads };
         let wanted = Wanted { pattern: *pattern, grid: *grid, window: *window, level: 0, bands: wants.mask };
         let mut cut = cut(wanted, threads, watch)?;
-        let empty = || Ok(Set { pieces: Vec::new(), bins: Bins::none(), whole: true });
+        let empty = || Ok(Set { pieces: Vec::new(), bins: Bins::none(), whole: true, widest: 0.0 });
         let (near, rest) = crew::both(
             threads,
             || if wants.nearest() { cut.set() } else { empty() },
