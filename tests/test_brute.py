@@ -148,7 +148,13 @@ def test_the_material_of_every_preset(name):
 
 
 @pytest.mark.parametrize(
-    "change", [{"roundness": 0, "rim": 0}, {"roundness": 1, "curl": -0.3}, {"chip": 4, "chip_size": 0.3}]
+    "change",
+    [
+        {"roundness": 0, "rim": 0},
+        {"roundness": 1, "curl": -0.3},
+        {"chip": 4, "chip_size": 0.3},
+        {"fray": 1, "grain_size": 0.2},
+    ],
 )
 @pytest.mark.parametrize("name", ["very wide", "wide to none", "acute", "wider than the period", "no length"])
 def test_the_material_of_hard_cracks(name, change):
@@ -177,7 +183,14 @@ def test_plates_tilt_about_their_middles():
     assert len(ground.plates) == len(np.unique(t["cell"])) > 5
 
 
-@pytest.mark.parametrize("material", [cz.Material(relief=1.0, roundness=0.7), cz.Material(chip=2, grain=0.1, curl=0.3)])
+@pytest.mark.parametrize(
+    "material",
+    [
+        cz.Material(relief=1.0, roundness=0.7),
+        cz.Material(chip=2, grain=0.1, curl=0.3),
+        cz.Material(relief=1.0, fray=0.8, grain_size=0.3, curl=0.2),
+    ],
+)
 def test_normals_are_the_slope_of_the_heights_of_the_reference(material):
     crack = cz.crack(preset="mud-mature", n=12, rng=2)
     t = cz.texture(crack, 40, maps="all", material=material, seed=3)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import shapely
 
 import crazing as cz
 
@@ -41,6 +42,25 @@ def test_finer_pieces_add_to_a_crack_and_move_nothing(name, frame):
     # At vertices that were there, cracks are as wide as they were.
     for one, other in within:
         assert widths(one) <= widths(other)
+
+
+def farthest(fine: cz.Crack, coarse: cz.Crack) -> float:
+    """The farthest vertex of a crack from the lines of another."""
+    lines = shapely.multilinestrings(shapely.linestrings(coarse.graph.segments))
+    return shapely.distance(lines, shapely.points(fine.graph.vertices)).max()
+
+
+def test_no_crack_wanders_more_finely_than_it_is_wide():
+    recipe = cz.Recipe(n=80, relax=2, roughness=0.02, grain=0.3, taper=0.0, hierarchy=0.0)
+
+    def off(width: float) -> float:
+        coarse, fine = (recipe.crack(rng=1, width=width, detail=detail) for detail in (None, 1e-3))
+        assert len(fine.graph.edges) >= len(coarse.graph.edges)
+        return farthest(fine, coarse)
+
+    # What is added to a crack wider than its coarse pieces are long, lies on these.
+    assert off(10.0) < 0.01 * off(1e-6)
+    assert off(1e-6) > 1e-3
 
 
 def test_detail_coarser_than_the_recipe_changes_nothing():

@@ -34,7 +34,7 @@ _Sides: TypeAlias = tuple[int, _Ints]
 _Aged: TypeAlias = tuple[_Net, _Fence, _Ints, _Ints]
 # Width, hierarchy, shrink, taper, abutting, unevenness, unit, source, reach, fade.
 _Widths: TypeAlias = tuple[float, float, float, float, float, float, float, tuple[float, float], float, float]
-# Straightening, warp, turn, hooks, stubs, roughness, widths.
+# Straightening, warp, turn, hooks, stubs, roughness, detail, widths.
 _Steps: TypeAlias = tuple[
     tuple[int, float, float, float, int] | None,
     tuple[float, _Key] | None,
@@ -42,6 +42,7 @@ _Steps: TypeAlias = tuple[
     tuple[float, float, float] | None,
     tuple[tuple[float, float, float, float], _Key] | None,
     tuple[tuple[float, float, float, float, float], _Key] | None,
+    float | None,
     tuple[_Widths, _Key],
 ]
 

@@ -39,6 +39,7 @@ class Course:
     turn : radians or None
     hooks : (radians, length, length) or None
     stubs, rough : (numbers, key) or None
+    detail : length or None
     """
 
     widths: tuple[Widths, Key]
@@ -48,10 +49,11 @@ class Course:
     hooks: tuple[float, float, float] | None = None
     stubs: tuple[Stubs, Key] | None = None
     rough: tuple[Roughness, Key] | None = None
+    detail: float | None = None
 
     def crack(self, drawing: Drawing) -> Crack:
         """What comes of a drawing: the same bits as step after step, without what lies between."""
-        steps = (self.straight, self.warp, self.turn, self.hooks, self.stubs, self.rough, self.widths)
+        steps = (self.straight, self.warp, self.turn, self.hooks, self.stubs, self.rough, self.detail, self.widths)
         age = np.ascontiguousarray(drawing.age)
         found = _core.crack_course(drawing.net, drawing.fence, drawing.partner, age, drawing.bounds, steps)
         (vertices, edges, shifts), looks = found[:3], found[3:]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 import os
 import tomllib
 from dataclasses import dataclass, field
@@ -290,7 +289,8 @@ class Recipe:
         detail : float, optional
             Rough and rounded cracks are cut into pieces no longer than this, data units, where the recipe's `grain` is
             coarser. For pictures that are looked at closely, three pixels: ``3 / 8192`` of a unit square. Finer pieces
-            add to a crack, and leave the vertices it has without them where they are.
+            add to a crack, and leave the vertices it has without them where they are. They wander only where they are
+            longer than the crack is wide: both sides follow one line, and would look like a string of beads.
         rng : int, numpy.random.Generator or None, optional
             Seed.
 
@@ -322,7 +322,7 @@ class Recipe:
         site = Site(self, box, torus, source, density)
         drawing, unit = site.maze(points, seed) if self.generator == "maze" else site.aged(seed)
         areal(drawing.bounds, "the box around the points")
-        finest = math.inf if detail is None else number(detail, "detail", low=course.NEAREST)
+        finest = None if detail is None else number(detail, "detail", low=course.NEAREST)
         return self._course(site, drawing, unit, seed, width, finest).crack(drawing)
 
     def _course(
@@ -332,7 +332,7 @@ class Recipe:
         unit: float,
         seed: np.random.Generator,
         width: float | None,
-        detail: float,
+        detail: float | None,
     ) -> course.Course:
         """The steps that make the pattern of a drawing, its plates `unit` apart."""
         # Every step draws its key, wanted or not: turning one off leaves the others as they are.
@@ -344,8 +344,7 @@ class Recipe:
         looks = (full, self.hierarchy, self.shrink, self.taper, self.abutting, self.unevenness, unit, where, reach)
         straight = (self.rounds, self.pull, self.slide, self.clamp, self.unbend)
         stubs = (self.stubs, self.stub_length, unit, self.stub_spread, course.LEAN)
-        grain = min(self.grain, detail / unit) if unit else self.grain
-        rough = (self.roughness, unit, self.hurst, grain, self.rounding)
+        rough = (self.roughness, unit, self.hurst, self.grain, self.rounding)
         # Plates of stretched mazes are near each other in one direction and far in the other, whatever their size.
         spacing = 0.0 if site.is_even or self.anisotropy != 1 else unit
         is_rough = bool((self.roughness or self.rounding) and unit)
@@ -358,6 +357,7 @@ class Recipe:
             # The last of the keys is drawn here, so that no other is another without stubs.
             stubs=(course.stubbing(*stubs), _rng.key(seed)) if self.stubs and unit else None,
             rough=(course.roughness(*rough), keys[1]) if is_rough else None,
+            detail=detail,
         )
 
     @classmethod

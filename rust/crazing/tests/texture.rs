@@ -5,7 +5,7 @@ use crazing::texture::{Maps, Material, Pattern, Sides, View, Window, plates, tex
 use crazing::{Error, Watch};
 
 /// Of all maps below, by any compiler, profile, processor and number of threads.
-const GOLDEN: u64 = 9_211_551_987_927_281_401;
+const GOLDEN: u64 = 14_702_045_137_166_987_124;
 
 const BOUNDS: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
 
@@ -51,6 +51,7 @@ fn material() -> Material {
         rim: 0.05,
         rim_width: 0.01,
         chip: 0.01,
+        fray: 0.6,
         chip_size: 0.03,
         curl: 0.1,
         curl_width: 0.1,

@@ -18,6 +18,7 @@ pub(crate) struct Steps(
     Option<(f64, f64, f64)>,
     Option<((f64, f64, f64, f64), Key)>,
     Option<(Rough, Key)>,
+    Option<f64>,
     (Widths, Key),
 );
 
@@ -46,7 +47,7 @@ pub(crate) fn roughness((amplitude, hurst, unit, grain, rounding): Rough) -> Rou
 
 impl Steps {
     fn course(self) -> Course {
-        let Self(straight, warp, turn, hooks, grown, rough, (widths, key)) = self;
+        let Self(straight, warp, turn, hooks, grown, rough, detail, (widths, key)) = self;
         Course {
             straightening: straight.map(straightening),
             warp,
@@ -54,6 +55,7 @@ impl Steps {
             hooks: hooks.map(turning),
             stubs: grown.map(|(how, key)| (stubs(how), key)),
             roughness: rough.map(|(how, key)| (roughness(how), key)),
+            detail,
             widths: (widths.profile(), key),
         }
     }

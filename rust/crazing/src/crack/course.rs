@@ -7,9 +7,9 @@ use super::fence::{Fence, FenceView};
 use super::hooks::{Turning, apart};
 use super::net::{Ends, NONE, Net, NetView};
 use super::pattern::{Pattern, finished};
-use super::roughen::{Chains, Roughness, Trace, trace};
+use super::roughen::{Chains, Detail, Roughness, Trace, trace};
 use super::straighten::{Straightening, straightened};
-use super::strand::{Runs, paired};
+use super::strand::{Runs, paired, strands};
 use super::stubs::{Stubs, grown};
 use super::warp::warp;
 use super::width::Profile;
@@ -34,6 +34,9 @@ pub struct Course {
     pub stubs: Option<(Stubs, Key)>,
     /// See [`super::roughen`].
     pub roughness: Option<(Roughness, Key)>,
+    /// The grain of rough edges where it is finer than that of the roughness, data units: there only what is longer than
+    /// the crack is wide wanders.
+    pub detail: Option<f64>,
     /// See [`super::widths`].
     pub widths: (Profile, Key),
 }
@@ -95,18 +98,7 @@ pub fn course(
         let age = grown.ages(&age);
         stage = Stage::owning(grown.net, grown.fence, grown.partner, age);
     }
-    let (trace, runs) = match how.roughness {
-        Some(rough) => {
-            // Both follow edge after edge, which takes one thread.
-            let (net, partner) = (stage.net(), &stage.partner);
-            let (chains, runs) = parallel::join(net.edges.len(), || Chains::of(net, watch), || Runs::of(partner));
-            (trace(net, chains?, partner, stage.fence(), rough, watch)?, runs)
-        }
-        None => {
-            let starts = (0..=stage.edges.len()).collect();
-            (Trace { vertices: stage.vertices.to_vec(), starts, ends: None }, Runs::of(&stage.partner))
-        }
-    };
+    let (trace, runs) = stage.traced(&how, watch)?;
     // What no step needs any more makes room: memory that was never used is slow to come by.
     (stage.anchors, stage.kites, stage.turns, stage.partner) = Default::default();
     finished(stage.net(), trace, (runs, &stage.age), how.widths, watch)
@@ -172,6 +164,28 @@ impl<'a> Stage<'a> {
 
     fn fence(&self) -> FenceView<'_> {
         FenceView { anchors: &self.anchors, kites: &self.kites, shifts: &self.turns }
+    }
+
+    /// Where its edges lie, rough where that is wanted, and which of them follow one another.
+    fn traced(&self, how: &Course, watch: Watch<'_>) -> Result<(Trace, Runs)> {
+        match how.roughness {
+            Some(rough) => {
+                // Both follow edge after edge, which takes one thread.
+                let (net, partner) = (self.net(), &self.partner);
+                let (chains, runs) = parallel::join(net.edges.len(), || Chains::of(net, watch), || Runs::of(partner));
+                let widths = |moved: NetView<'_>| {
+                    let found = strands(moved, partner, &self.age);
+                    super::widths(moved, &found, how.widths.0, how.widths.1)
+                };
+                let detail = how.detail.filter(|&grain| grain < rough.0.grain);
+                let detail = detail.map(|grain| Detail { grain, widths: &widths });
+                Ok((trace(net, chains?, partner, self.fence(), rough, detail.as_ref(), watch)?, runs))
+            }
+            None => {
+                let starts = (0..=self.edges.len()).collect();
+                Ok((Trace { vertices: self.vertices.to_vec(), starts, ends: None }, Runs::of(&self.partner)))
+            }
+        }
     }
 
     fn into_owned(self) -> (Net, Fence, Vec<i32>, Vec<i32>) {

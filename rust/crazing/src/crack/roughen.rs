@@ -15,7 +15,7 @@ use crate::parallel;
 use crate::rng::Key;
 use crate::watch::Watch;
 use bridge::{Bridge, wavy};
-use fineness::{DEEPEST, Fineness};
+use fineness::{DEEPEST, Fineness, levels};
 use pieces::{partners_of, pieces_of, repeated, shifts_of};
 
 /// How cracks wander.
@@ -55,6 +55,14 @@ pub(super) struct Trace {
     pub(super) ends: Option<Ends>,
 }
 
+/// How much more of rough edges is wanted than their grain has.
+pub(super) struct Detail<'a> {
+    /// See [`Roughness::grain`]; a finer one.
+    pub(super) grain: f64,
+    /// The widths at both ends of the edges of a drawing.
+    pub(super) widths: &'a dyn Fn(NetView<'_>) -> Result<Vec<[f64; 2]>>,
+}
+
 /// Subdivides edges and moves the new vertices across them, after moving the vertices inside each crack: along the
 /// bow that its turns ask for, and about that at random.
 ///
@@ -79,7 +87,7 @@ pub fn roughen(
     key: Key,
     watch: Watch<'_>,
 ) -> Result<Rough> {
-    let Trace { vertices, starts, .. } = trace(net, Chains::of(net, watch)?, partner, fence, (how, key), watch)?;
+    let Trace { vertices, starts, .. } = trace(net, Chains::of(net, watch)?, partner, fence, (how, key), None, watch)?;
     watch.poll()?;
     let mut cut = net.cut.to_vec();
     cut.resize(vertices.len(), false);
@@ -98,6 +106,7 @@ pub(super) fn trace(
     partner: &[i32],
     fence: FenceView<'_>,
     (how, key): (Roughness, Key),
+    detail: Option<&Detail<'_>>,
     watch: Watch<'_>,
 ) -> Result<Trace> {
     let Roughness { amplitude, hurst, unit, grain, rounding } = how;
@@ -111,17 +120,10 @@ pub(super) fn trace(
     let moved = NetView { vertices: &vertices, ..net };
     watch.poll()?;
     let (old, edges) = (vertices.len(), net.edges.len());
-    let fineness = Fineness::of(how);
-    let depths = parallel::map(edges, |k| {
-        if moved.length(k) <= grain {
-            return 0;
-        }
-        let is_tip = net.edges[k].iter().any(|&end| ends.at(end as usize).len() == 1 && !net.cut[end as usize]);
-        fineness.halvings(&Room::of(moved, fence, k), &Bow::of(moved, partner, k, rounding), is_tip) as u8
-    });
+    let depths = depths(moved, (partner, &ends), fence, how, detail)?;
     let mut starts = Vec::with_capacity(edges + 1);
     starts.push(0_usize);
-    for (k, &depth) in depths.iter().enumerate() {
+    for (k, &[depth, _]) in depths.iter().enumerate() {
         starts.push(starts[k] + (1 << depth));
     }
     let found = starts[edges];
@@ -139,17 +141,45 @@ pub(super) fn trace(
         |range, mut places| {
             let next = libm::exp2(-how.hurst);
             let (mut heights, mut numbers) = ([0.0; (1 << DEEPEST) + 1], [0.0; 1 << DEEPEST]);
-            for k in range.filter(|&k| depths[k] > 0) {
+            for k in range.filter(|&k| depths[k][0] > 0) {
                 let own;
-                (own, places) = places.split_at_mut((1 << depths[k]) - 1);
+                let [depth, levels] = depths[k];
+                (own, places) = places.split_at_mut((1 << depth) - 1);
                 let room = Room::of(moved, fence, k);
-                let (heights, numbers) = (&mut heights[..=1 << depths[k]], &mut numbers[..1 << depths[k]]);
-                wavy(heights, numbers, how.deviation(room.length), next, key, k);
+                let (heights, numbers) = (&mut heights[..=1 << depth], &mut numbers[..1 << depth]);
+                wavy(heights, numbers, (how.deviation(room.length), next, levels), key, k);
                 place(moved, &room, &Bow::of(moved, partner, k, rounding), heights, k, own);
             }
         },
     );
     Ok(Trace { vertices: places, starts, ends: Some(ends) })
+}
+
+/// How often each edge is halved, and on how many levels it wanders.
+fn depths(
+    net: NetView<'_>,
+    (partner, ends): (&[i32], &Ends),
+    fence: FenceView<'_>,
+    how: Roughness,
+    detail: Option<&Detail<'_>>,
+) -> Result<Vec<[u8; 2]>> {
+    let own = Fineness::of(how);
+    let more = match detail {
+        Some(&Detail { grain, widths }) => Some((Fineness::of(Roughness { grain, ..how }), widths(net)?)),
+        None => None,
+    };
+    let finest = more.as_ref().map_or(how.grain, |(fineness, _)| fineness.grain);
+    Ok(parallel::map(net.edges.len(), |k| {
+        if net.length(k) <= finest {
+            return [0; 2];
+        }
+        let is_tip = net.edges[k].iter().any(|&end| ends.at(end as usize).len() == 1 && !net.cut[end as usize]);
+        let (room, bow) = (Room::of(net, fence, k), Bow::of(net, partner, k, how.rounding));
+        let depth = own.halvings(&room, &bow, is_tip, DEEPEST);
+        let Some((fineness, widths)) = &more else { return [depth as u8, DEEPEST as u8] };
+        let levels = levels(depth, room.length, 0.5 * (widths[k][0] + widths[k][1]));
+        [fineness.halvings(&room, &bow, is_tip, levels), levels].map(|count| count as u8)
+    }))
 }
 
 /// The cracks of a drawing from node to node, as chains of edges.

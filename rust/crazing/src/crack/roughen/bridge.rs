@@ -53,20 +53,28 @@ impl Bridge {
     }
 }
 
-/// Heights along an edge, with room for as many numbers; from one level to the next deviation is `next` as large.
+/// Heights along an edge, with room for as many numbers; from one level to the next deviation is `next` as large, and
+/// behind so many levels there is none.
 ///
 /// Numbers are drawn level by level: an edge that is halved once more keeps all the heights it had.
-pub(super) fn wavy(heights: &mut [f64], numbers: &mut [f64], mut spread: f64, next: f64, key: Key, edge: usize) {
+pub(super) fn wavy(
+    heights: &mut [f64],
+    numbers: &mut [f64],
+    (mut spread, next, levels): (f64, f64, u8),
+    key: Key,
+    edge: usize,
+) {
     let count = heights.len() - 1;
     // The first is not used; from there on there are twice as many from level to level.
     Noise::fill(key, edge, 2, numbers);
     (heights[0], heights[count]) = (0.0, 0.0);
     let (mut stretch, mut level) = (count, 1);
     while stretch > 1 {
+        let off = if level >> levels == 0 { spread } else { 0.0 };
         let own = &numbers[level..2 * level];
         for (middle, number) in (stretch / 2..count).step_by(stretch).zip(own) {
             let between = 0.5 * (heights[middle - stretch / 2] + heights[middle + stretch / 2]);
-            heights[middle] = between + spread * number;
+            heights[middle] = between + off * number;
         }
         spread *= next;
         (stretch, level) = (stretch / 2, 2 * level);

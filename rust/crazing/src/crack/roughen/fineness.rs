@@ -15,7 +15,7 @@ const FLAT: f64 = 1.0 / 40.0;
 
 /// When the pieces of an edge are short enough, and when straight enough.
 pub(super) struct Fineness {
-    grain: f64,
+    pub(super) grain: f64,
     /// How far off its chord a bow may lie in the middle of a piece.
     flat: f64,
     /// Pieces no longer than this do not wander far off their chords.
@@ -32,8 +32,8 @@ impl Fineness {
         Self { grain, flat: FLAT * grain, calm, is_rough: amplitude != 0.0 }
     }
 
-    /// How often an edge is halved; one at a tip down to the grain, since there its width runs out in a curve.
-    pub(super) fn halvings(&self, room: &Room, bow: &Bow, is_tip: bool) -> u32 {
+    /// How often an edge is halved that wanders on so many levels; one at a tip down to the grain, since there its width runs out in a curve.
+    pub(super) fn halvings(&self, room: &Room, bow: &Bow, is_tip: bool, levels: u32) -> u32 {
         let across = room.sides[0][1].max(room.sides[1][1]);
         if !(self.grain > 0.0 && room.length.is_finite() && across > THIN * room.length)
             || (!self.is_rough && bow.is_straight())
@@ -41,9 +41,21 @@ impl Fineness {
             return 0;
         }
         let (mut depth, mut piece, mut off) = (0, room.length, room.length * bow.most());
-        while depth < DEEPEST && piece > self.grain && (is_tip || piece > self.calm || off > self.flat) {
+        let wanders = |depth: u32, piece: f64| depth < levels && piece > self.calm;
+        while depth < DEEPEST && piece > self.grain && (is_tip || off > self.flat || wanders(depth, piece)) {
             (depth, piece, off) = (depth + 1, 0.5 * piece, 0.25 * off);
         }
         depth
     }
+}
+
+/// On how many levels an edge of that width wanders: on its own, and where there is more detail, on more as long as pieces
+/// are longer than it is wide. What is finer would turn the sides of wide cracks into strings of beads, for both follow
+/// one line.
+pub(super) fn levels(own: u32, length: f64, width: f64) -> u32 {
+    let (mut levels, mut piece) = (own, length * libm::exp2(-f64::from(own)));
+    while levels < DEEPEST && piece > width {
+        (levels, piece) = (levels + 1, 0.5 * piece);
+    }
+    levels
 }
