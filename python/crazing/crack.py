@@ -237,16 +237,17 @@ class Crack(Record):
         Parameters
         ----------
         path : str or path-like
-            Its ending decides the format. `.svg`: a group of outlines with the true widths, and a hidden one of
-            centrelines, a group in each for every generation; on a torus copies of both fill the period, so that
-            the picture tiles. `.dxf` (needs ezdxf, the extra `cad`): polylines with their widths, a layer for every
-            generation, without a unit. `.geojson`: a line for every strand, with the properties strand, generation,
-            parent (null for none), width (largest), widths (one a point).
+            Its ending decides the format. `.svg`: a group of outlines with the true widths, filled by the nonzero rule,
+            and a hidden one of centrelines, a group in each for every generation, moved by a `transform` when far from
+            the origin; on a torus copies of both fill the period, so that the picture tiles. `.dxf` (needs ezdxf, the
+            extra `cad`): polylines with their widths, a layer for every generation, without a unit. `.geojson`: a line
+            for every strand, with the properties strand, generation, parent (null for none), width (largest), widths
+            (one a point). A strand that is still growing, or abuts itself, may be several lines.
 
         Raises
         ------
         ValueError
-            If the ending is another.
+            If the ending is another, or a coordinate or width is not finite, or a width negative.
         OSError
             If the file cannot be written; what stood there before is then untouched.
         ImportError
