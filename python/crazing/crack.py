@@ -83,8 +83,8 @@ class Crack(Record):
     def arrivals(self) -> NDArray[np.float64]:
         """(e, 2) float64, when the crack gets to both ends of every edge, 0 to 1.
 
-        Strands start one after the other, the oldest first, none before its parent is there; from the parent, or from
-        their middle, tips advance at one speed.
+        Strands are due one after the other, the oldest first, and wait until their parent is there, which younger ones
+        may not have to; from the parent, or from their middle, tips advance at one speed.
         """
         period = (0.0, 0.0) if self.period is None else self.period
         shifts = self.shifts if self.period is not None else np.empty((0, 2), dtype=np.int8)
@@ -93,7 +93,7 @@ class Crack(Record):
         return _core.crack_arrivals(net, np.ascontiguousarray(self.strand), np.ascontiguousarray(self.parent))
 
     def at(self, age: float) -> Crack:
-        """The pattern while it grows: older strands first, tips advancing, and wider the older a place is.
+        """The pattern while it grows: older strands mostly first, tips advancing, and wider the older a place is.
 
         Parameters
         ----------
@@ -245,7 +245,8 @@ class Crack(Record):
             the origin; on a torus copies of both fill the period, so that the picture tiles. `.dxf` (needs ezdxf, the
             extra `cad`): polylines with their widths, a layer for every generation, without a unit. `.geojson`: a line
             for every strand, with the properties strand, generation, parent (null for none), width (largest), widths
-            (one a point). A strand that is still growing, or abuts itself, may be several lines.
+            (one a point), without a reference system. A strand that is still growing, or abuts itself, may be
+            several lines.
 
         Raises
         ------

@@ -145,7 +145,8 @@ def _outline(points: NDArray[np.float64], half: NDArray[np.float64]) -> NDArray[
     # A line that touches both discs leans towards the smaller; where one disc holds the other, it is the larger disc.
     lean = np.arcsin(np.clip((half[:-1] - half[1:]) / length, -1, 1))
     bend = (np.diff(heading) + np.pi) % (2 * np.pi) - np.pi
-    room = np.minimum(length[1:], length[:-1]) / 2
+    half_side = length * np.cos(lean) / 2
+    room = np.minimum(half_side[1:], half_side[:-1])
     left = _side(points, half, heading + (np.pi / 2 - lean), np.diff(lean) - bend, room, -1)
     right = _side(points, half, heading - (np.pi / 2 - lean), np.diff(lean) + bend, room, 1)
     ends = (
