@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+import shapely
 
 import crazing as cz
 
@@ -50,6 +51,24 @@ def test_tips_end_on_their_edge_with_no_width(place) -> None:
     assert len(grown.shifts) == len(grown.graph.edges) == len(grown.parent)
     # No edge is longer than the longest, in particular none runs the wrong way around a torus.
     assert steps(grown).max() <= steps(c).max() * (1 + 1e-9)
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_an_earlier_pattern_is_within_a_later_one_and_its_vertices_within_the_period(place) -> None:
+    c = cz.crack(rng=6, **place)
+    turns = [(0, 0)] if c.period is None else [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
+    covered = []
+    for age in (*np.linspace(0.05, 0.95, 11), 1.0):
+        grown = c.at(float(age))
+        if c.period is not None:
+            home = grown.graph.vertices - c.bounds[:2]
+            assert (home >= 0).all() and (home < c.period).all()
+        copies = [grown.segments + np.multiply(turn, c.period or (0, 0)) for turn in turns]
+        covered.append((grown.segments, shapely.union_all(shapely.linestrings(np.concatenate(copies)))))
+    for (segments, _), (_, later) in pairwise(covered):
+        # Of lines, but for rounding; of their widths the test above.
+        assert shapely.distance(shapely.points(segments.reshape(-1, 2)), later).max() < 1e-12
+        assert shapely.distance(shapely.points(segments.mean(axis=1)), later).max() < 1e-12
 
 
 @pytest.mark.parametrize("place", PLACES)

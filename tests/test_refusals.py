@@ -134,3 +134,28 @@ def test_results_made_by_hand_are_checked(case: str) -> None:
     kind, result, change, error, message = HANDMADE[case]
     with pytest.raises(error, match=message):
         kind(**given(result) | change)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda hide: cz.Crack(**given(CRACK) | {"width": hide(CRACK.width)}),
+        lambda hide: cz.Crack(**given(CRACK) | {"strand": hide(CRACK.strand)}),
+        lambda hide: cz.PlanarGraph(CRACK.graph.vertices, hide(CRACK.graph.edges)),
+        lambda hide: cz.measure(hide(np.eye(9, dtype=bool))),
+        lambda hide: cz.save_png("masked.png", hide(np.zeros((4, 4), np.uint8))),
+        lambda hide: cz.sample.from_density(hide(np.ones((4, 4))), 5),
+    ],
+)
+def test_what_lies_under_a_mask_is_not_read(call: Callable[[Any], Any]) -> None:
+    with pytest.raises(ValueError, match="has masked entries; drop or fill them"):
+        call(lambda array: np.ma.array(array, mask=np.arange(array.size).reshape(array.shape) == 1))
+
+
+def test_a_width_that_is_not_a_number_is_named() -> None:
+    width = CRACK.width.copy()
+    width[3, 1] = np.nan
+    broken = dataclasses.replace(CRACK, width=width)
+    for show in (cz.render, cz.texture):
+        with pytest.raises(cz.CrazingError, match=r"widths\[3\] holds NaN|width holds nan"):
+            show(broken, 16)

@@ -123,3 +123,47 @@ def test_dxf_passes_the_audit_with_layers_and_widths(tmp_path: Path, name: str) 
 def test_other_endings_are_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"'crack.pdf'; an ending of .svg, .dxf, .geojson is wanted"):
         cz.crack(n=9, rng=1).save("crack.pdf")
+
+
+@pytest.mark.parametrize("ending", [".svg", ".dxf", ".geojson"])
+@pytest.mark.parametrize(
+    ("place", "width", "message"),
+    [
+        (np.nan, 0.1, r"vertices\[1\] is \(nan, 0.5\)"),
+        (np.inf, 0.1, r"vertices\[1\] is \(inf, 0.5\)"),
+        (0.5, np.nan, r"width\[0\] is \(nan, 0.1\)"),
+        (0.5, -0.1, r"width\[0\] is \(-0.1, 0.1\)"),
+    ],
+)
+def test_what_cannot_be_drawn_is_named_and_leaves_the_old_file(
+    tmp_path: Path, ending: str, place: float, width: float, message: str
+) -> None:
+    graph = cz.PlanarGraph([(0.1, 0.5), (place, 0.5)], [(0, 1)])
+    c = cz.Crack(graph, np.array([(width, 0.1)]), np.zeros(1, np.int32), np.zeros(1, np.int32), (0, 0, 1, 1))
+    path = tmp_path / f"crack{ending}"
+    path.write_text("old")
+    with pytest.raises(ValueError, match=message):
+        c.save(path)
+    assert path.read_text() == "old"
+
+
+@pytest.mark.parametrize("corner", [(543210.3, 5412345.7), (-543210.3, -5412345.7), (0.1, 5e6)])
+def test_far_from_the_origin_places_are_numbers_of_single_precision(
+    tmp_path: Path, corner: tuple[float, float]
+) -> None:
+    x, y = corner
+    c = cz.crack(preset="rock", n=20, rng=3, bounds=(x, y, x + 150, y + 100))
+    c.save(tmp_path / "crack.svg")
+    root = ElementTree.parse(tmp_path / "crack.svg").getroot()
+    group = root.find(f"{NAME}g[@id='centrelines']")
+    assert group is not None
+    move = np.array(group.attrib["transform"][len("translate(") : -1].split(), dtype=float) * (1, -1)
+    found = np.concatenate([path_points(path)[0] for path in group.iter(f"{NAME}path")])
+    # What a browser makes of them is off by less than a tenth of a pixel in a thousand.
+    assert np.abs(found.astype(np.float32) - found).max() < 150 / 1e5
+    # With the move they are the vertices to the last bit.
+    np.testing.assert_array_equal(np.unique(found + move, axis=0), np.unique(c.graph.vertices, axis=0))
+    c.graph.save(tmp_path / "graph.svg")
+    assert (tmp_path / "graph.svg").read_text().count("transform") == 1
+    again = cz.sample.from_svg(tmp_path / "graph.svg")
+    np.testing.assert_array_equal(np.unique(again, axis=0), np.unique(c.graph.vertices, axis=0))

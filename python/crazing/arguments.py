@@ -100,9 +100,6 @@ def _is_number(value: Any) -> bool:
 
 def real_array(values: ArrayLike, name: str) -> NDArray[np.float64]:
     """`values` as a C-contiguous, aligned float64 array; complex numbers, text and objects are refused."""
-    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
-        # What lies under a mask is not meant to be seen, and NumPy would hand it on without a word.
-        raise ValueError(f"{name} has masked entries; drop or fill them")
     array = regular(values, name)
     if array.ndim and len(array) > _INDEX_LIMIT:
         raise ValueError(f"{name} has {len(array)} rows; at most {_INDEX_LIMIT} are supported")
@@ -185,6 +182,9 @@ def file_path(value: Any, name: str = "path") -> str | os.PathLike[str]:
 
 def regular(values: Any, name: str) -> NDArray[Any]:
     """`values` as an array, whatever of."""
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        # What lies under a mask is not meant to be seen, and NumPy would hand it on without a word.
+        raise ValueError(f"{name} has masked entries; drop or fill them")
     try:
         return np.asarray(values)
     except ValueError:
@@ -194,9 +194,9 @@ def regular(values: Any, name: str) -> NDArray[Any]:
 def cast(value: Any, name: str, dtype: Any) -> NDArray[Any]:
     """`value` as a C-contiguous array of a type that holds all its entries; anything else is refused."""
     wanted = np.dtype(dtype)
-    if isinstance(value, np.ndarray) and value.dtype == wanted:
-        return np.ascontiguousarray(value)
     array = regular(value, name)
+    if isinstance(value, np.ndarray) and array.dtype == wanted:
+        return np.ascontiguousarray(array)
     if array.size == 0:
         return np.empty(array.shape, wanted)
     if array.dtype.kind not in {"b": "b", "i": "iu"}.get(wanted.kind, "iuf"):

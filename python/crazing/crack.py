@@ -83,8 +83,8 @@ class Crack(Record):
     def arrivals(self) -> NDArray[np.float64]:
         """(e, 2) float64, when the crack gets to both ends of every edge, 0 to 1.
 
-        Strands start one after the other, the oldest first, none before its parent is there; from the parent, or from
-        their middle, tips advance at one speed.
+        Strands are due one after the other, the oldest first, and wait until their parent is there, which younger ones
+        may not have to; from the parent, or from their middle, tips advance at one speed.
         """
         period = (0.0, 0.0) if self.period is None else self.period
         shifts = self.shifts if self.period is not None else np.empty((0, 2), dtype=np.int8)
@@ -93,7 +93,7 @@ class Crack(Record):
         return _core.crack_arrivals(net, np.ascontiguousarray(self.strand), np.ascontiguousarray(self.parent))
 
     def at(self, age: float) -> Crack:
-        """The pattern while it grows: older strands first, tips advancing, and wider the older a place is.
+        """The pattern while it grows: older strands mostly first, tips advancing, and wider the older a place is.
 
         Parameters
         ----------
@@ -135,11 +135,10 @@ class Crack(Record):
         part = (age - early) / (late - early)
         tips = here + part[:, None] * (there - here)
         edges[growing, 1 - start] = len(self.graph.vertices) + np.arange(len(growing))
-        # A tip is seen from the vertex its edge comes from: the second one of an edge may lie some periods away.
-        away = shifts[growing]
         if self.period is not None:
-            tips -= np.where(start[:, None] == 1, away, 0) * np.asarray(self.period)
-            shifts[growing] = 0
+            tips, away = self._home(tips)
+            # A tip that is the second end lies where it went; from the first, the second end is as far as it was.
+            shifts[growing] = np.where(start[:, None] == 0, away, shifts[growing] - away)
         width[growing, 1 - start] = 0
         graph = PlanarGraph(np.concatenate([self.graph.vertices, tips]), edges).compact()
         return replace(
@@ -185,14 +184,18 @@ class Crack(Record):
         by = np.array([number(dx, "dx"), number(dy, "dy")])
         if self.period is None:
             raise ValueError("the pattern has no period: only on a torus can it be shifted")
-        period, corner = np.asarray(self.period), np.asarray(self.bounds[:2])
-        moved = self.graph.vertices + np.fmod(by, period)
-        away = np.floor((moved - corner) / period).astype(np.int64)
-        # What rounds up to the far side is the near one.
-        away += moved - away * period >= corner + period
+        moved, away = self._home(self.graph.vertices + np.fmod(by, np.asarray(self.period)))
         first, second = self.graph.edges.T
         shifts = (self.shifts + away[second] - away[first]).astype(np.int8)
-        return replace(self, graph=PlanarGraph(moved - away * period, self.graph.edges), shifts=shifts)
+        return replace(self, graph=PlanarGraph(moved, self.graph.edges), shifts=shifts)
+
+    def _home(self, points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+        """The places in the period that points on its torus have, and how many periods from there they were."""
+        period, corner = np.asarray(self.period), np.asarray(self.bounds[:2])
+        away = np.floor((points - corner) / period).astype(np.int64)
+        # What rounds up to the far side is the near one.
+        away += points - away * period >= corner + period
+        return points - away * period, away
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
         """Fills the cracks with Matplotlib, in their true widths, at equal scales.
@@ -237,16 +240,18 @@ class Crack(Record):
         Parameters
         ----------
         path : str or path-like
-            Its ending decides the format. `.svg`: a group of outlines with the true widths, and a hidden one of
-            centrelines, a group in each for every generation; on a torus copies of both fill the period, so that
-            the picture tiles. `.dxf` (needs ezdxf, the extra `cad`): polylines with their widths, a layer for every
-            generation, without a unit. `.geojson`: a line for every strand, with the properties strand, generation,
-            parent (null for none), width (largest), widths (one a point).
+            Its ending decides the format. `.svg`: a group of outlines with the true widths, filled by the nonzero rule,
+            and a hidden one of centrelines, a group in each for every generation, moved by a `transform` when far from
+            the origin; on a torus copies of both fill the period, so that the picture tiles. `.dxf` (needs ezdxf, the
+            extra `cad`): polylines with their widths, a layer for every generation, without a unit. `.geojson`: a line
+            for every strand, with the properties strand, generation, parent (null for none), width (largest), widths
+            (one a point), without a reference system. A strand that is still growing, or abuts itself, may be
+            several lines.
 
         Raises
         ------
         ValueError
-            If the ending is another.
+            If the ending is another, or a coordinate or width is not finite, or a width negative.
         OSError
             If the file cannot be written; what stood there before is then untouched.
         ImportError

@@ -24,6 +24,9 @@ _NOT_XML = {code: "\ufffd" for code in (*range(32), *range(0xD800, 0xE000), 0xFF
 
 #: Half the side of the largest drawing: the box around it and its margin must be floats too.
 _FARTHEST = 1e300
+#: Times its size: a drawing that lies farther from the origin is moved there in SVG, since browsers and other programs
+#: calculate with the 24 bits of single precision.
+_AWAY = 64
 
 
 def save(graph: PlanarGraph, path: str | os.PathLike[str]) -> None:
@@ -48,13 +51,14 @@ def svg(graph: PlanarGraph, *, title: str | None = None, stroke: str = "black", 
     margin = max(width, across / 1000)
     box = (left - margin, -high - margin, right - left + 2 * margin, high - low + 2 * margin)
     style = f'fill="none" stroke={_attribute(stroke)} stroke-width="{width!r}"'
+    start = svg_start((left, low, right, high))
     return "\n".join(
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{" ".join(map(repr, box))}">',
             *([] if title is None else [f"<title>{_content(title)}</title>"]),
             f"<metadata>{_maker()}</metadata>",
-            f'<path {style} stroke-linecap="round" stroke-linejoin="round"',
-            f'd="{_path(graph)}"/>',
+            f'<path {style} stroke-linecap="round" stroke-linejoin="round"{svg_moved(start)}',
+            f'd="{_path(graph, start)}"/>',
             "</svg>",
         ]
     )
@@ -135,10 +139,26 @@ def _extent(graph: PlanarGraph) -> tuple[float, float, float, float]:
     return left, low, right, high
 
 
-def _path(graph: PlanarGraph) -> str:
+def svg_start(box: tuple[float, float, float, float]) -> tuple[float, float]:
+    """Where the coordinates of an SVG start from: the upper left corner of a box, in directions in which that is far.
+
+    Numbers of one sign, one at most twice the other, have a difference without rounding: no bit is lost.
+    """
+    left, low, right, high = box
+    away = _AWAY * max(right - left, high - low)
+    return left if max(-left, right) > away > 0 else 0.0, -high if max(-low, high) > away > 0 else 0.0
+
+
+def svg_moved(start: tuple[float, float]) -> str:
+    """The attribute of what has such coordinates."""
+    return f' transform="translate({start[0]!r} {start[1] + 0.0!r})"' if any(start) else ""
+
+
+def _path(graph: PlanarGraph, start: tuple[float, float]) -> str:
     """The `d` attribute. `repr` writes the shortest number that reads back to the same bits."""
     # Adding zero turns -0.0 into 0.0.
-    return "".join(f"M{line}" for line in _texts(graph, lambda x, y: f"{x + 0.0!r} {0.0 - y!r}", "L"))
+    left, top = start
+    return "".join(f"M{line}" for line in _texts(graph, lambda x, y: f"{x - left + 0.0!r} {0.0 - y - top!r}", "L"))
 
 
 def _texts(graph: PlanarGraph, point: Callable[[float, float], str], between: str) -> Iterator[str]:

@@ -330,7 +330,9 @@ class PlanarGraph(Record):
         -------
         str
             One path. Its coordinates are those of the data with the sign of y turned, as y points down in
-            SVG; read back, they are equal to the last bit.
+            SVG; read back, they are equal to the last bit. A drawing farther from the origin than 64 times its size
+            is moved there by a `transform`, since browsers and others calculate in single precision; with it they
+            are equal, too.
 
         Raises
         ------

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from crazing import vectors
+from crazing import strokes, vectors
 from crazing.arguments import bounds_tuple
 from crazing.extras import axes, require
 from crazing.graph import PlanarGraph
@@ -51,7 +51,7 @@ def skeleton(drawn: Skeleton, ax: Axes | None, *, bounds: ArrayLike | None, styl
 def crack(drawn: Crack, ax: Axes | None, *, style: Any) -> Axes:
     """Fills the outlines of the strands; see `Crack.plot`."""
     ax = axes(ax)
-    outlines = [outline for strand in vectors.strands(drawn) for outline in vectors.outlines(strand)]
+    outlines = [outline for strand in strokes.strands(drawn) for outline in strokes.outlines(strand)]
     moves = vectors.copies(drawn, outlines)
     outlines = [outline + move for outline, each in zip(outlines, moves, strict=True) for move in each]
     own = {} if "color" in style else {"facecolor": CRUST, "edgecolor": "none"}

@@ -186,7 +186,7 @@ def poisson_disk(
     Parameters
     ----------
     radius : float
-        The least distance, data units. About 0.7 area / radius**2 points have room.
+        The least distance, data units. About 0.62 area / radius**2 points come of it, some more in small bounds.
     bounds : (xmin, ymin, xmax, ymax)
         Where, in data units.
     period : (width, height), optional
@@ -395,8 +395,8 @@ def from_polygon(polygon: Any, *, n: int | None = None, spacing: float | None = 
     ----------
     polygon : array_like, shapely geometry, mapping, Region or path
         A ring, a (k, 2) array; a list of rings; anything with a ``__geo_interface__`` or a GeoJSON mapping of type
-        Polygon, MultiPolygon or Feature; or the path of a GeoJSON file with one. Coordinates are taken as they are,
-        whatever their reference system.
+        Polygon, MultiPolygon, Feature or a collection of them; a list of such; or the path of a GeoJSON file.
+        Coordinates are taken as they are, whatever their reference system.
     n, spacing
         As for `from_image`, the spacing in data units. Without either: the corners as they are.
 

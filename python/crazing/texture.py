@@ -527,7 +527,7 @@ def _pattern(crack: Any) -> tuple[tuple[Any, ...], Bounds]:
     vertices = arguments.points_array(crack.graph.vertices, "vertices")
     edges = arguments.index_pairs(crack.graph.edges, "edges", limit=len(vertices))
     widths = arguments.real_array(crack.width, "width").reshape(-1, 2)
-    if widths.max(initial=0.0) > _LARGEST:
+    if not widths.max(initial=0.0) <= _LARGEST:
         raise CrazingError(f"width holds {widths.max():g}; widths of at most {_LARGEST:g} are wanted: {_WHY}")
     given = getattr(crack, "shifts", None)
     shifts = np.ascontiguousarray(np.zeros((len(edges), 2)) if given is None else given, dtype=np.int8).reshape(-1, 2)

@@ -20,7 +20,15 @@ ENDINGS = (".svg", ".dxf", ".pdf", ".png")
 
 
 @click.command("maze")
-@click.option("-n", "--cells-number", "n", type=click.IntRange(min=3), default=1000, show_default=True, help="Cells.")
+@click.option(
+    "-n",
+    "--cells-number",
+    "n",
+    type=click.IntRange(min=3),
+    default=1000,
+    show_default=True,
+    help="Cells; about so many within a shape.",
+)
 @click.option(
     "--within", type=click.Path(exists=True, dir_okay=False), help="Shape to fill: a picture, SVG or GeoJSON."
 )

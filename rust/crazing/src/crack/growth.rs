@@ -7,8 +7,8 @@ const STAGGER: f64 = 1.5;
 
 /// When the crack gets to both ends of every edge, 0 to 1; `strand` and `parent` are those of every edge.
 ///
-/// Strands start one after the other, the oldest first, none before its parent is there; from the parent, or from
-/// their middle, tips advance at one speed.
+/// Strands are due one after the other, the oldest first, and wait until their parent is there, which younger ones may
+/// not have to; from the parent, or from their middle, tips advance at one speed.
 pub fn arrivals(net: NetView<'_>, strand: &[i32], parent: &[i32]) -> Vec<[f64; 2]> {
     let ends = Ends::of(net);
     let count = strand.iter().max().map_or(0, |&last| last as usize + 1);
