@@ -2,6 +2,7 @@
 
 use super::faces::{Net, add, less, rank, turn};
 use super::rays::Rows;
+use super::slabs::Slabs;
 use crate::error::Result;
 use crate::graph::Point;
 use crate::watch::Watch;
@@ -120,12 +121,19 @@ impl Net {
     /// up round the torus, likewise that on the other side of its strip.
     pub(super) fn parents(&self, walks: &Walks, watch: Watch<'_>) -> Result<Vec<Option<(usize, Point)>>> {
         let floats = walks.walks.iter().filter(|walk| walk.looks_left());
-        let rows = Rows::new(self, floats.map(|walk| self.places[self.half(walk.left).0][1]));
+        let rays = floats.map(|walk| self.places[self.half(walk.left).0][1]);
+        let left_of: Box<dyn Fn(usize) -> Option<(usize, Point)>> = if self.period.is_some() {
+            let rows = Rows::new(self, rays);
+            Box::new(move |vertex| rows.left_of(self, vertex))
+        } else {
+            let slabs = Slabs::new(self, rays, watch)?;
+            Box::new(move |vertex| slabs.left_of(self, vertex))
+        };
         let mut parents = Vec::with_capacity(walks.walks.len());
         for (id, walk) in walks.walks.iter().enumerate() {
             watch.poll_at(id)?;
             let start = walks.of[walk.left].1;
-            let hit = walk.looks_left().then(|| rows.left_of(self, self.half(walk.left).0)).flatten();
+            let hit = walk.looks_left().then(|| left_of(self.half(walk.left).0)).flatten();
             parents.push(hit.map(|(half, to_start)| {
                 let (parent, at) = walks.of[half];
                 // The start of the parent's walk, seen from the start of this one.
