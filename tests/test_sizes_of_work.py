@@ -6,6 +6,9 @@ there is.
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
 import numpy as np
 import pytest
 import shapely
@@ -165,3 +168,25 @@ def test_squares_in_slanting_squares_are_plates_of_their_own() -> None:
     inside = np.bincount(tree.query(points.ravel(), predicate="within")[0], minlength=pixels**2).reshape(pixels, pixels)
     pairs = np.unique(np.stack([inside.ravel(), cell.ravel()]), axis=1)
     assert len(pairs.T) == len(np.unique(pairs[0])) == len(np.unique(pairs[1])) > 100
+
+
+def test_strands_are_saved_each_from_its_own_edges(tmp_path: Path) -> None:
+    count = 100_000
+    crack(star(count), (-1, -1, 1, 1)).save(tmp_path / "star.geojson")
+    features = json.loads((tmp_path / "star.geojson").read_text())["features"]
+    lines = np.array([feature["geometry"]["coordinates"] for feature in features])
+    ends = star(count).vertices[1:]
+    np.testing.assert_array_equal(np.abs(lines).max(axis=1), np.abs(ends))
+    assert [feature["properties"]["strand"] for feature in features] == list(range(count))
+
+
+def test_one_strand_through_a_hub_is_saved_with_every_spoke(tmp_path: Path) -> None:
+    count = 60_000
+    spokes = star(count)
+    none = np.zeros(count, dtype=np.int32)
+    one = cz.Crack(spokes, np.full((count, 2), 1e-6), none, none, (-1, -1, 1, 1))
+    one.save(tmp_path / "star.geojson")
+    features = json.loads((tmp_path / "star.geojson").read_text())["features"]
+    lines = [shapely.LineString(feature["geometry"]["coordinates"]) for feature in features]
+    assert sum(line.length for line in lines) == pytest.approx(count)
+    assert len(lines) == count // 2

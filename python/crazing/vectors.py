@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
-from collections import defaultdict
+from collections import defaultdict, deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise, product
@@ -52,22 +52,23 @@ def strands(crack: Crack) -> list[Strand]:
     rows = defaultdict(list)
     for row, number in enumerate(crack.strand.tolist()):
         rows[number].append(row)
-    found = []
+    # Once for all strands: it is an array of every edge.
+    segments, found = crack.segments, []
     for number in sorted(rows):
-        found.extend(_lines(crack, number, rows[number]))
+        found.extend(_lines(crack, segments, number, rows[number]))
     return found
 
 
-def _lines(crack: Crack, number: int, rows: list[int]) -> list[Strand]:
+def _lines(crack: Crack, segments: NDArray[np.float64], number: int, rows: list[int]) -> list[Strand]:
     """The edges of one strand in turn; a growing one may be in several pieces."""
-    ends = defaultdict(list)
+    ends: defaultdict[int, deque[tuple[int, int]]] = defaultdict(deque)
     for row in rows:
         for side, vertex in enumerate(crack.graph.edges[row].tolist()):
             ends[vertex].append((row, side))
     # From the tips; what is left are rings.
     starts = [there[0] for _, there in sorted(ends.items()) if len(there) % 2] + [(row, 0) for row in rows]
     seen: set[int] = set()
-    segments, found = crack.segments, []
+    found = []
     for row, side in starts:
         if row in seen:
             continue
@@ -77,8 +78,10 @@ def _lines(crack: Crack, number: int, rows: list[int]) -> list[Strand]:
             step = segments[row, 1 - side] - segments[row, side]
             points.append(points[-1] + step if crack.period is not None else segments[row, 1 - side])
             widths.append(crack.width[row, 1 - side])
-            leaving = int(crack.graph.edges[row, 1 - side])
-            row, side = next(((r, s) for r, s in ends[leaving] if r not in seen), (row, side))
+            there = ends[int(crack.graph.edges[row, 1 - side])]
+            while there and there[0][0] in seen:
+                there.popleft()
+            row, side = there[0] if there else (row, side)
         line = Strand(
             np.array(points),
             np.array(widths),
