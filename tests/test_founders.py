@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 import crazing as cz
 
@@ -31,3 +32,9 @@ def test_the_first_crack_of_a_torus_does_not_waver() -> None:
     waves = np.array([np.abs(np.fft.rfft(first_crack(1.0, seed))[1:7]) ** 2 for seed in range(200)])
     turned = (waves * np.arange(1, 7) ** 2).mean(axis=0)
     assert turned[3:].sum() < 0.2 * turned.sum()
+
+
+def test_a_torus_too_long_to_be_split_is_refused():
+    assert len(cz.steps.split(500, period=(1, 0.2), rng=0).edges) > 1000
+    with pytest.raises(ValueError, match=r"length over width of the period is 100; .* less long"):
+        cz.steps.split(500, period=(0.01, 1), rng=0)

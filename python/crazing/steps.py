@@ -293,8 +293,8 @@ def part(drawing: Drawing, *, hairpin: float, reach: float, spacing: float = 0.0
     hairpin : float
         Degrees, 0 to 180: cracks that turn by more are parted.
     reach : float
-        How far along the crack the turn is looked for, data units; over a half and a quarter of it too, so that a
-        crack that turns back twice in a short way is parted.
+        How far along the crack the turn is looked for, data units, over 128 edges at most; over a half and a quarter
+        of it too, so that a crack that turns back twice in a short way is parted.
     spacing : float
         How far apart the plates are where that reach holds, data units: where they are farther apart it is longer in
         proportion. 0, the default, is one reach everywhere.

@@ -23,6 +23,8 @@ BEND = 0.5
 FLAT = np.pi / 12
 #: Of the width: what differs by less is one width.
 _SAME = 1e-9
+#: More ends of one strand at a vertex are not paired each with each.
+_CROWD = 32
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +93,9 @@ def _lines(
 
 
 def _pairs(there: list[End], segments: NDArray[np.float64]) -> list[tuple[End, End]]:
-    """The pairs of ends at one vertex, the straightest first."""
+    """The pairs of ends at one vertex, the straightest first; of a crowd neighbours."""
+    if len(there) > _CROWD:
+        return list(zip(there[::2], there[1::2], strict=False))
     pairs = list(combinations(there, 2))
 
     def turn(pair: tuple[End, End]) -> float:

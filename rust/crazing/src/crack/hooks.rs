@@ -11,12 +11,16 @@ use crate::watch::Watch;
 /// out straight over all of it.
 const PARTS: [f64; 3] = [0.25, 0.5, 1.0];
 
+/// Edges along a crack that are looked at on either side, however short they are beside the reach. Those of plates are
+/// some, those of a traced line some tens.
+const MOST: usize = 128;
+
 /// How sharply cracks may turn, and over which way.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Turning {
     /// The sharpest turn that stays, radians.
     pub sharpest: f64,
-    /// How far along the crack it is looked for.
+    /// How far along the crack it is looked for, over 128 edges at most.
     pub reach: f64,
     /// How far apart the anchors on both sides of an edge are for which that holds: where they are farther apart, plates
     /// are larger, and the reach longer in proportion. 0 if it is one everywhere.
@@ -102,7 +106,8 @@ impl<'a> Parting<'a> {
                 hooks.extend(hook.filter(|&(cosine, ..)| cosine > limit));
             }
             hooks.sort_by(|p, q| q.0.total_cmp(&p.0).then(p.1.cmp(&q.1)));
-            for (_, a, b) in hooks.drain(..) {
+            for (step, (_, a, b)) in hooks.drain(..).enumerate() {
+                watch.poll_at(step)?;
                 // A gap that was made since may have left no turn.
                 if parting.partner[a as usize] == b as i32 && parting.cosine(a, b) > limit {
                     parting.part(a, b);
@@ -130,7 +135,7 @@ impl<'a> Parting<'a> {
         let (mut next, mut run, mut steps) = (end as i32, 0.0, 0);
         std::iter::from_fn(move || {
             // A crack in a ring ends where it began.
-            if next == NONE || run >= reach.max(f64::MIN_POSITIVE) || steps > self.spans.len() {
+            if next == NONE || run >= reach.max(f64::MIN_POSITIVE) || steps > self.spans.len().min(MOST - 1) {
                 return None;
             }
             let found = (next as u32, run);

@@ -190,6 +190,14 @@ impl Ends {
         Self { starts, row }
     }
 
+    /// The same with those of each vertex in the order of a key; equal ones stay ascending.
+    pub(super) fn sorted_by_key(mut self, key: impl Fn(u32) -> i32) -> Self {
+        for place in self.starts.windows(2) {
+            self.row[place[0] as usize..place[1] as usize].sort_by_key(|&end| key(end));
+        }
+        self
+    }
+
     #[inline]
     pub(super) fn at(&self, vertex: usize) -> &[u32] {
         &self.row[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]

@@ -98,12 +98,12 @@ fn looks_of(
     watch.poll()?;
     drop(older);
     let of_edge = strands.into_of_edge();
-    Ok(Looks {
-        widths,
-        strand: repeated(starts, |k| of_edge[k]),
-        generation: repeated(starts, |k| generation[of_edge[k] as usize]),
-        parent: repeated(starts, |k| parent[of_edge[k] as usize]),
-    })
+    let strand = repeated(starts, |k| of_edge[k]);
+    watch.poll()?;
+    let generation = repeated(starts, |k| generation[of_edge[k] as usize]);
+    watch.poll()?;
+    let parent = repeated(starts, |k| parent[of_edge[k] as usize]);
+    Ok(Looks { widths, strand, generation, parent })
 }
 
 /// The pattern of a drawing whose edges lie as a trace says.
@@ -117,8 +117,10 @@ pub(super) fn finished(
     let Trace { vertices, starts, ends } = trace;
     let whole = NetView { vertices: &vertices[..net.vertices.len()], ..net };
     let (edges, shifts) = (pieces_of(net, &starts), shifts_of(net, &starts));
+    watch.poll()?;
     let fine = NetView { vertices: &vertices, edges: &edges, shifts: &shifts, ..net };
     let looks = looks_of(fine, (whole, ends), &starts, runs, widths, watch)?;
+    watch.poll()?;
     let mut net = Net { vertices, edges, shifts, period: net.period, cut: Vec::new() };
     net.wrap();
     Ok(Pattern { net, looks })

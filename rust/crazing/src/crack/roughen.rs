@@ -63,6 +63,9 @@ pub(super) struct Detail<'a> {
     pub(super) widths: &'a dyn Fn(NetView<'_>) -> Result<Vec<[f64; 2]>>,
 }
 
+/// Pieces that are placed between two looks at the watch: all of an ordinary pattern.
+const AT_ONCE: usize = 1 << 21;
+
 /// Subdivides edges and moves the new vertices across them, after moving the vertices inside each crack: along the
 /// bow that its turns ask for, and about that at random.
 ///
@@ -92,11 +95,11 @@ pub fn roughen(
     let mut cut = net.cut.to_vec();
     cut.resize(vertices.len(), false);
     let (edges, shifts) = (pieces_of(net, &starts), shifts_of(net, &starts));
-    Ok(Rough {
-        net: Net { vertices, edges, shifts, period: net.period, cut },
-        partner: partners_of(partner, &starts),
-        origin: repeated(&starts, |k| k as i32),
-    })
+    watch.poll()?;
+    let partner = partners_of(partner, &starts);
+    watch.poll()?;
+    let origin = repeated(&starts, |k| k as i32);
+    Ok(Rough { net: Net { vertices, edges, shifts, period: net.period, cut }, partner, origin })
 }
 
 /// See [`roughen`].
@@ -134,24 +137,13 @@ pub(super) fn trace(
     watch.poll()?;
     let mut places = vec![[0.0; 2]; old + found - edges];
     parallel::fill(&mut places[..old], |range, part| part.copy_from_slice(&vertices[range]));
-    parallel::grouped(
-        edges,
-        |k| starts[k] - k,
-        &mut places[old..],
-        |range, mut places| {
-            let next = libm::exp2(-how.hurst);
-            let (mut heights, mut numbers) = ([0.0; (1 << DEEPEST) + 1], [0.0; 1 << DEEPEST]);
-            for k in range.filter(|&k| depths[k][0] > 0) {
-                let own;
-                let [depth, levels] = depths[k];
-                (own, places) = places.split_at_mut((1 << depth) - 1);
-                let room = Room::of(moved, fence, k);
-                let (heights, numbers) = (&mut heights[..=1 << depth], &mut numbers[..1 << depth]);
-                wavy(heights, numbers, (how.deviation(room.length), next, levels), key, k);
-                place(moved, &room, &Bow::of(moved, partner, k, rounding), heights, k, own);
-            }
-        },
-    );
+    let next = libm::exp2(-how.hurst);
+    let places_of = |k: usize, own: &mut [Point], (heights, numbers): (&mut [f64], &mut [f64])| {
+        let room = Room::of(moved, fence, k);
+        wavy(heights, numbers, (how.deviation(room.length), next, depths[k][1]), key, k);
+        place(moved, &room, &Bow::of(moved, partner, k, rounding), heights, k, own);
+    };
+    place_all(&starts, &mut places[old..], places_of, watch)?;
     Ok(Trace { vertices: places, starts, ends: Some(ends) })
 }
 
@@ -277,6 +269,36 @@ fn chain(
             _ => break,
         }
     }
+}
+
+/// Finds the places of the inner vertices of all edges, edge by edge, with room for heights and numbers.
+fn place_all(
+    starts: &[usize],
+    mut rest: &mut [Point],
+    places_of: impl Fn(usize, &mut [Point], (&mut [f64], &mut [f64])) + Sync + Send,
+    watch: Watch<'_>,
+) -> Result<()> {
+    let mut first = 0;
+    while first + 1 < starts.len() {
+        watch.poll()?;
+        let inner = |k: usize| starts[first + k] - starts[first] - k;
+        let count = starts[first + 1..].partition_point(|&start| start - starts[first] <= AT_ONCE).max(1);
+        let own;
+        (own, rest) = rest.split_at_mut(inner(count));
+        parallel::grouped(count, inner, own, |range, mut places| {
+            let (mut heights, mut numbers) = ([0.0; (1 << DEEPEST) + 1], [0.0; 1 << DEEPEST]);
+            for k in range.map(|k| first + k) {
+                let pieces = starts[k + 1] - starts[k];
+                if pieces > 1 {
+                    let own;
+                    (own, places) = places.split_at_mut(pieces - 1);
+                    places_of(k, own, (&mut heights[..=pieces], &mut numbers[..pieces]));
+                }
+            }
+        });
+        first += count;
+    }
+    Ok(())
 }
 
 /// Finds the places of the inner vertices of an edge.

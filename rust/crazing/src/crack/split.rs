@@ -91,6 +91,13 @@ pub fn split(
             enqueue(&mesh, other, &mut rng, &mut queue);
         }
     }
+    // Of a long torus no cell may be found that a wall can part: better nothing than a few cells for thousands.
+    if on_torus && 2 * mesh.cells.len() < how.cells {
+        let sides = [bounds[2] - bounds[0], bounds[3] - bounds[1]];
+        let value = sides[0].max(sides[1]) / sides[0].min(sides[1]);
+        let wanted = "a period that is less long for its width is wanted: its cells cannot be split";
+        return Err(Error::BadValue { name: "length over width of the period", value, wanted });
+    }
     Ok(mesh.finish())
 }
 

@@ -139,9 +139,10 @@ fn pairs_at(net: NetView<'_>, here: &[u32], limit: f64, found: &mut Vec<[u32; 2]
     }
     let mut pairs = candidates(here.iter().map(|&end| (direction(net, end), end)).collect());
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let before = found.len();
+    // Candidates of a star have no end in common.
+    let (before, is_star) = (found.len(), here.len() > STAR);
     for (rank, &(cosine, a, b)) in pairs.iter().enumerate() {
-        let alone = found[before..].iter().flatten().all(|&end| end != a && end != b);
+        let alone = is_star || found[before..].iter().flatten().all(|&end| end != a && end != b);
         let is_best = rank == 0 && (cosine <= limit || limit >= 1.0);
         if alone && (is_best || cosine < STRAIGHT.min(limit)) {
             found.push([a, b]);

@@ -104,7 +104,7 @@ pub(super) fn triangulate_constrained(
     for (step, &i) in order.iter().enumerate() {
         vertex_of[i as usize] = step;
     }
-    let mut constraints = constraints.to_vec();
+    let mut constraints = outwards(constraints, points.len());
     let mut patience = Some(PATIENCE * points.len());
     for step in 0..constraints.len() {
         watch.poll_at(step)?;
@@ -130,6 +130,21 @@ pub(super) fn triangulate_constrained(
         constrained[place as usize] = edge.is_constraint_edge();
     }
     Ok((read(&mesh, &order, watch)?, constrained))
+}
+
+/// More constraints than this at one site are a crowd. Drawings have three or four, whose order stays as it was given.
+const CROWD: u32 = 32;
+
+/// Constraints turned so that they lead to a crowd and not from it: spade looks for the way to begin among all edges
+/// about the first end, so that the spokes of a hub would cost the square of their number.
+fn outwards(constraints: &[[u32; 2]], sites: usize) -> Vec<[u32; 2]> {
+    let mut meeting = vec![0; sites];
+    constraints.iter().flatten().for_each(|&end| meeting[end as usize] += 1);
+    let turned = |&[a, b]: &[u32; 2]| {
+        let [here, there] = [a, b].map(|end| meeting[end as usize]);
+        if here > CROWD && here > there { [b, a] } else { [a, b] }
+    };
+    constraints.iter().map(turned).collect()
 }
 
 /// Edges a point that constraints may cross, all together, while they are inserted in the order given.
@@ -162,14 +177,17 @@ fn sequence(points: &[Point]) -> Option<Rounds> {
 /// On one line, the edges that lie between the ends of a constraint.
 fn constrained_path(points: &[Point], edges: &[[i32; 2]], constraints: &[[u32; 2]]) -> Vec<bool> {
     let at = |i: usize| points[i];
-    let spans: Vec<[Point; 2]> = constraints
-        .iter()
-        .map(|ends| ends.map(|end| at(end as usize)))
-        .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
-        .collect();
+    let span = |ends: &[u32; 2]| {
+        let [a, b] = ends.map(|end| at(end as usize));
+        if a < b { [a, b] } else { [b, a] }
+    };
+    let mut spans: Vec<[Point; 2]> = constraints.iter().map(span).collect();
+    // None of them overlap.
+    spans.sort_unstable_by(|[p, _], [q, _]| p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])));
     let held = |ends: &[i32; 2]| {
         let [a, b] = ends.map(|end| at(end as usize));
-        spans.iter().any(|&[low, high]| low <= a && b <= high)
+        let before = spans.partition_point(|&[low, _]| low <= a);
+        before > 0 && b <= spans[before - 1][1]
     };
     edges.iter().map(held).collect()
 }

@@ -1,8 +1,10 @@
 //! Box dimension: how the number of boxes that a drawing meets falls as the boxes grow.
 
 use super::network::Drawing;
+use crate::error::Result;
 use crate::graph::Point;
 use crate::parallel;
+use crate::watch::Watch;
 
 /// Slope of log number over log size, for `levels` sizes from `smallest`, each twice the one before. Boxes stand from
 /// the lower left of the bounds, of the drawing where it has none; those that do not lie whole within the bounds, or
@@ -10,15 +12,15 @@ use crate::parallel;
 ///
 /// # Source
 /// Falconer: Fractal Geometry, section 3.1.
-pub(super) fn dimension(drawing: &Drawing<'_>, smallest: f64, levels: usize) -> f64 {
+pub(super) fn dimension(drawing: &Drawing<'_>, smallest: f64, levels: usize, watch: Watch<'_>) -> Result<f64> {
     let (corner, size) = window(drawing);
     let far = [0, 1].map(|i| ends(drawing, i).fold(0.0_f64, |far, x| far.max(x - corner[i])));
     let reach = if on_torus(drawing) { size } else { [0, 1].map(|i| far[i].min(size[i])) };
     let counts = match Grid::new(reach.map(|x| x / smallest), drawing.edges.len()) {
-        Some(grid) => dense(drawing, corner, size.map(|x| x / smallest), smallest, levels, grid),
-        None => sparse(drawing, corner, size.map(|x| x / smallest), smallest, levels),
+        Some(grid) => dense(drawing, corner, size.map(|x| x / smallest), smallest, levels, grid, watch)?,
+        None => sparse(drawing, corner, size.map(|x| x / smallest), smallest, levels, watch)?,
     };
-    slope(&counts)
+    Ok(slope(&counts))
 }
 
 fn on_torus(drawing: &Drawing<'_>) -> bool {
@@ -41,14 +43,22 @@ fn window(drawing: &Drawing<'_>) -> (Point, Point) {
 }
 
 /// Calls `visit` with column and row of every box that an edge passes, some of them often.
-fn passed(drawing: &Drawing<'_>, corner: Point, smallest: f64, mut visit: impl FnMut([i64; 2])) {
+fn passed(
+    drawing: &Drawing<'_>,
+    corner: Point,
+    smallest: f64,
+    watch: Watch<'_>,
+    mut visit: impl FnMut([i64; 2]),
+) -> Result<()> {
     for k in 0..drawing.edges.len() {
+        watch.poll_at(k)?;
         let vertex = drawing.vertices[drawing.edges[k][0] as usize];
         let way = drawing.step(2 * k as u32);
         for from in copies(drawing, [0, 1].map(|i| vertex[i] - corner[i]), way) {
             crossed(from.map(|x| x / smallest), way.map(|x| x / smallest), &mut visit);
         }
     }
+    Ok(())
 }
 
 /// Where an edge begins: once, or, on a torus, for every period that it runs through, so that what leaves one side
@@ -64,10 +74,18 @@ fn copies(drawing: &Drawing<'_>, from: Point, way: Point) -> impl Iterator<Item 
 }
 
 /// Numbers of boxes by sorting them.
-fn sparse(drawing: &Drawing<'_>, corner: Point, size: Point, smallest: f64, levels: usize) -> Vec<f64> {
+fn sparse(
+    drawing: &Drawing<'_>,
+    corner: Point,
+    size: Point,
+    smallest: f64,
+    levels: usize,
+    watch: Watch<'_>,
+) -> Result<Vec<f64>> {
     let mut keys = Vec::new();
-    passed(drawing, corner, smallest, |[column, row]| keys.push(key(column, row)));
+    passed(drawing, corner, smallest, watch, |[column, row]| keys.push(key(column, row)))?;
     let count = |level: usize| {
+        watch.poll()?;
         parallel::sort(&mut keys);
         keys.dedup();
         let side = f64::from(1_u32 << level);
@@ -75,21 +93,29 @@ fn sparse(drawing: &Drawing<'_>, corner: Point, size: Point, smallest: f64, leve
         let whole = |&&key: &&u64| (0..2).all(|i| fits(place(key, level)[i], size[i]));
         let found = keys.iter().filter(whole).count() as f64;
         keys.iter_mut().for_each(|key| *key = halved(*key));
-        found
+        Ok(found)
     };
     (0..levels).map(count).collect()
 }
 
 /// Numbers of boxes by marking them.
-fn dense(drawing: &Drawing<'_>, corner: Point, size: Point, smallest: f64, levels: usize, mut grid: Grid) -> Vec<f64> {
-    passed(drawing, corner, smallest, |at| grid.mark(at));
+fn dense(
+    drawing: &Drawing<'_>,
+    corner: Point,
+    size: Point,
+    smallest: f64,
+    levels: usize,
+    mut grid: Grid,
+    watch: Watch<'_>,
+) -> Result<Vec<f64>> {
+    passed(drawing, corner, smallest, watch, |at| grid.mark(at))?;
     let count = |level: usize| {
         let side = f64::from(1_u32 << level);
         let found = grid.count(size.map(|x| (x / side).floor()));
         grid = grid.halved();
         found
     };
-    (0..levels).map(count).collect()
+    Ok((0..levels).map(count).collect())
 }
 
 /// Boxes that are marked, one bit each.
@@ -207,7 +233,7 @@ fn slope(counts: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Drawing, Grid, dense, sparse};
+    use super::{Drawing, Grid, Watch, dense, sparse};
 
     #[test]
     fn marking_counts_as_sorting_does() {
@@ -216,9 +242,10 @@ mod tests {
         let drawing = Drawing { vertices: &vertices, edges: &edges, ..Drawing::default() };
         for size in [[61.0, 30.0], [200.0, 100.0], [20.5, 7.5]] {
             let boxes = size.map(|x: f64| x / 0.3);
-            let grid =
-                Grid::new([61.0 / 0.3, 30.0 / 0.3], 1000).map(|grid| dense(&drawing, [0.0; 2], boxes, 0.3, 5, grid));
-            assert_eq!(grid, Some(sparse(&drawing, [0.0; 2], boxes, 0.3, 5)));
+            let watch = Watch::default();
+            let grid = Grid::new([61.0 / 0.3, 30.0 / 0.3], 1000);
+            let marked = grid.map(|grid| dense(&drawing, [0.0; 2], boxes, 0.3, 5, grid, watch));
+            assert_eq!(marked, Some(sparse(&drawing, [0.0; 2], boxes, 0.3, 5, watch)));
         }
     }
 }

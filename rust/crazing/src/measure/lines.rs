@@ -26,6 +26,12 @@ pub(super) fn point_at(drawing: &Drawing<'_>, network: &Network, end: usize, rea
 /// Points of a segment relative to its first end: its vertices, or, for a `stride` above 0, points at equal steps of
 /// about that length along it.
 pub(super) fn points(drawing: &Drawing<'_>, network: &Network, segment: usize, stride: f64) -> Vec<Point> {
+    let chain = chain(drawing, network, segment);
+    if stride > 0.0 { stepped(&chain, network.length[segment], stride).collect() } else { chain }
+}
+
+/// The vertices of a segment relative to its first end.
+fn chain(drawing: &Drawing<'_>, network: &Network, segment: usize) -> Vec<Point> {
     let mut vertices = vec![[0.0; 2]];
     let mut at = [0.0; 2];
     for &half in network.along(segment) {
@@ -33,15 +39,14 @@ pub(super) fn points(drawing: &Drawing<'_>, network: &Network, segment: usize, s
         at = [at[0] + step[0], at[1] + step[1]];
         vertices.push(at);
     }
-    if stride > 0.0 { stepped(&vertices, network.length[segment], stride) } else { vertices }
+    vertices
 }
 
 /// Points at equal steps along a chain.
-fn stepped(chain: &[Point], length: f64, stride: f64) -> Vec<Point> {
+fn stepped(chain: &[Point], length: f64, stride: f64) -> impl Iterator<Item = Point> {
     let pieces = (length / stride).round().clamp(1.0, 1e9) as usize;
-    let mut found = vec![chain[0]];
     let (mut i, mut run) = (0, 0.0);
-    for piece in 1..pieces {
+    let within = move |piece: usize| {
         let wanted = length * piece as f64 / pieces as f64;
         while i + 2 < chain.len() && run + distance(chain[i], chain[i + 1]) < wanted {
             run += distance(chain[i], chain[i + 1]);
@@ -49,10 +54,9 @@ fn stepped(chain: &[Point], length: f64, stride: f64) -> Vec<Point> {
         }
         let step = distance(chain[i], chain[i + 1]);
         let part = if step > 0.0 { ((wanted - run) / step).min(1.0) } else { 0.0 };
-        found.push([0, 1].map(|k| chain[i][k] + part * (chain[i + 1][k] - chain[i][k])));
-    }
-    found.push(chain[chain.len() - 1]);
-    found
+        [0, 1].map(|k| chain[i][k] + part * (chain[i + 1][k] - chain[i][k]))
+    };
+    std::iter::once(chain[0]).chain((1..pieces).map(within)).chain(chain.last().copied())
 }
 
 pub(super) fn distance(a: Point, b: Point) -> f64 {
@@ -105,8 +109,16 @@ pub(super) fn roughness(drawing: &Drawing<'_>, network: &Network, segment: usize
         // Straight: what stepping along it would say.
         return (0.0, (length / lag).round() as usize - 1);
     }
-    let points = points(drawing, network, segment, lag);
-    let bend = |w: &[Point]| [0, 1].map(|k| w[0][k] - 2.0 * w[1][k] + w[2][k]);
-    let squares = points.windows(3).map(bend).map(|[x, y]| (x * x + y * y) / (lag * lag));
-    squares.fold((0.0, 0), |(sum, count), square| (sum + square, count + 1))
+    // One after the other: a long segment has very many beside a short lag.
+    let chain = chain(drawing, network, segment);
+    let (mut last, mut sum, mut count) = ([[0.0; 2]; 2], 0.0, 0);
+    for (i, point) in stepped(&chain, length, lag).enumerate() {
+        if i > 1 {
+            let [x, y] = [0, 1].map(|k| last[0][k] - 2.0 * last[1][k] + point[k]);
+            sum += (x * x + y * y) / (lag * lag);
+            count += 1;
+        }
+        last = [last[1], point];
+    }
+    (sum, count)
 }

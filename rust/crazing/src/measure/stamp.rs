@@ -63,7 +63,8 @@ fn band(mask: &mut Mask, a: Point, b: Point, radius: [f64; 2]) {
     let way = [b[0] - a[0], b[1] - a[1]];
     let square = way[0] * way[0] + way[1] * way[1];
     for row in clamped(a[1].min(b[1]) - most, a[1].max(b[1]) + most, mask.height) {
-        for column in clamped(a[0].min(b[0]) - most, a[0].max(b[0]) + most, mask.width) {
+        let [from, to] = beside(a, way, row as f64 + 0.5, most + 1.0);
+        for column in clamped(from - most, to + most, mask.width) {
             let to = [column as f64 + 0.5 - a[0], row as f64 + 0.5 - a[1]];
             let along = if square > 0.0 { (to[0] * way[0] + to[1] * way[1]) / square } else { 0.0 }.clamp(0.0, 1.0);
             let off = [to[0] - along * way[0], to[1] - along * way[1]];
@@ -72,6 +73,17 @@ fn band(mask: &mut Mask, a: Point, b: Point, radius: [f64; 2]) {
             }
         }
     }
+}
+
+/// Where a segment is no farther above or below a height than `away`, from the left to the right: not the whole box of a
+/// long slanting one.
+fn beside(a: Point, way: [f64; 2], height: f64, away: f64) -> [f64; 2] {
+    let ends = match way[1] {
+        0.0 => [0.0, 1.0],
+        up => [height - away, height + away].map(|at| ((at - a[1]) / up).clamp(0.0, 1.0)),
+    };
+    let [p, q] = ends.map(|part| a[0] + part * way[0]);
+    [p.min(q), p.max(q)]
 }
 
 /// Marks one pixel a step along the longer direction.

@@ -21,9 +21,10 @@ pub struct Gauge {
     pub arc: f64,
     /// Step along a segment for orientation.
     pub stride: f64,
-    /// Smallest lag of roughness, the others are 3 and 9 times that; 0 takes a twentieth of the mean segment.
+    /// Smallest lag of roughness, the others are 3 and 9 times that; 0 takes a twentieth of the mean segment between
+    /// junctions, or of a sixteenth of the mean edge where that is longer.
     pub lag: f64,
-    /// Smallest of five box sizes, each twice the one before; 0 takes a sixteenth of the mean segment.
+    /// Smallest of five box sizes, each twice the one before; 0 takes a sixteenth of the same length.
     pub box_size: f64,
     /// Cells smaller than this are faults of the drawing.
     pub hole: f64,
@@ -36,6 +37,9 @@ pub type Statistics = Vec<(&'static str, f64)>;
 const STRAIGHT: f64 = 155.0;
 /// Segments whose chord is a smaller part of the mean segment are nearly closed: their length over chord has no bound.
 const SHORTEST: f64 = 1.0 / 3.0;
+/// Lags and boxes are no smaller than for segments of this part of the mean edge: with the dead ends of a comb, or edges
+/// that are cut at the bounds, there is more to step along than any number of edges would say.
+const FINEST: f64 = 1.0 / 16.0;
 const LAGS: [f64; 3] = [1.0, 3.0, 9.0];
 const LEVELS: usize = 5;
 
@@ -197,11 +201,17 @@ impl Picture<'_> {
             self.watch.poll_at(segment)?;
             orientation.add(&lines::points(self.drawing, self.network, segment, self.gauge.stride));
         }
+        let sane = unit > 0.0;
+        let edge = self.network.length.iter().sum::<f64>() / self.drawing.edges.len() as f64;
+        let unit = unit.max(FINEST * edge);
         let lag = if self.gauge.lag > 0.0 { self.gauge.lag } else { unit / 20.0 };
         let size = if self.gauge.box_size > 0.0 { self.gauge.box_size } else { unit / 16.0 };
-        let sane = unit > 0.0;
-        let dimension = if sane { boxes::dimension(self.drawing, size, LEVELS) } else { f64::NAN };
-        let rough: Vec<f64> = LAGS.iter().map(|times| self.roughness(times * lag)).filter(|x| x.is_finite()).collect();
+        let dimension = if sane { boxes::dimension(self.drawing, size, LEVELS, self.watch)? } else { f64::NAN };
+        let mut rough = LAGS.map(|times| times * lag);
+        for lag in &mut rough {
+            *lag = self.roughness(*lag)?;
+        }
+        let rough: Vec<f64> = rough.into_iter().filter(|x| x.is_finite()).collect();
         Ok(vec![
             ("orientation", orientation.order()),
             ("direction", orientation.direction()),
@@ -211,10 +221,14 @@ impl Picture<'_> {
     }
 
     /// Root mean square of second differences at one lag, over the lag.
-    fn roughness(&self, lag: f64) -> f64 {
-        let each = (0..self.network.count()).map(|s| lines::roughness(self.drawing, self.network, s, lag));
-        let (sum, count) = each.fold((0.0, 0), |(sum, count), (more, times)| (sum + more, count + times));
-        (sum / count as f64).sqrt()
+    fn roughness(&self, lag: f64) -> Result<f64> {
+        let (mut sum, mut count) = (0.0, 0);
+        for segment in 0..self.network.count() {
+            self.watch.poll_at(segment)?;
+            let (more, times) = lines::roughness(self.drawing, self.network, segment, lag);
+            (sum, count) = (sum + more, count + times);
+        }
+        Ok((sum / count as f64).sqrt())
     }
 
     fn widths(&self, area: f64) -> Statistics {

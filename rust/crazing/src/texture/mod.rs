@@ -38,6 +38,7 @@ mod rays;
 mod relief;
 mod scan;
 mod scene;
+mod slabs;
 mod squares;
 mod ties;
 mod tilt;

@@ -1,4 +1,4 @@
-//! Rays to the left, to find what lies around a crack that floats.
+//! Rays to the left, to find what lies around a crack that floats on a torus; in the plane see [`super::slabs`].
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use crate::graph::Point;
 const ROUNDING: f64 = 1e-12;
 
 /// What rounding may move the place by where an edge meets a ray, as a part of all that is there.
-const ASIDE: f64 = 1e-12;
+pub(super) const ASIDE: f64 = 1e-12;
 
 /// Rays of a row, at least.
 const RAYS: usize = 8;
@@ -17,25 +17,13 @@ const RAYS: usize = 8;
 /// Entries that rows may have, for every edge.
 const ENTRIES: usize = 4;
 
-/// The edges that rays to the left may meet, by rows of rays that run next to each other.
+/// The edges that rays to the left may meet, by rows of rays that run next to each other within one period.
 pub(super) struct Rows {
-    /// Where the rays run, from the bottom up; on a torus within one period.
+    /// Where the rays run, from the bottom up.
     rays: Vec<f64>,
     /// Rays of a row.
     stride: usize,
-    rows: Vec<Vec<Entry>>,
-    /// How far an edge may seem to be from where it is.
-    aside: f64,
-}
-
-/// An edge in a row.
-#[derive(Clone, Copy)]
-struct Entry {
-    edge: u32,
-    /// Where its left end is. On a torus, where there is no left and right, 0.
-    from: f64,
-    /// How far to the right it reaches, or any of the row that comes behind it.
-    to: f64,
+    rows: Vec<Vec<u32>>,
 }
 
 impl Rows {
@@ -43,26 +31,18 @@ impl Rows {
     pub(super) fn new(net: &Net, rays: impl Iterator<Item = f64>) -> Self {
         let mut rays: Vec<f64> = rays.map(|y| within(net, y)).collect();
         rays.sort_unstable_by(f64::total_cmp);
-        let (low, high) = net
-            .places
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| (low.min(place[0]), high.max(place[0])));
-        let mut rows = Self { rays, stride: RAYS, rows: Vec::new(), aside: ASIDE * (high - low) };
+        let mut rows = Self { rays, stride: RAYS, rows: Vec::new() };
         let most = ENTRIES * net.edges.len();
         while rows.stride < rows.rays.len() && rows.entries(net, most) > most {
             rows.stride *= 2;
         }
         rows.rows = vec![Vec::new(); rows.rays.len().div_ceil(rows.stride)];
         for k in 0..net.edges.len() {
-            let [from, to] = span(net, k);
             for met in rows.met(net, k) {
                 for row in rows.rows_of(met) {
-                    rows.rows[row].push(Entry { edge: k as u32, from, to });
+                    rows.rows[row].push(k as u32);
                 }
             }
-        }
-        if net.period.is_none() {
-            rows.rows.iter_mut().for_each(|row| order(row));
         }
         rows
     }
@@ -83,13 +63,11 @@ impl Rows {
         if met.is_empty() { 0..0 } else { met.start / self.stride..(met.end - 1) / self.stride + 1 }
     }
 
-    /// The rays that an edge may meet; on a torus in up to two parts.
+    /// The rays that an edge may meet, in up to two parts.
     fn met(&self, net: &Net, k: usize) -> [Range<usize>; 2] {
         let from = |y: f64| self.rays.partition_point(|&ray| ray < y);
         let [a, b] = net.edges[k].map(|vertex| net.places[vertex as usize][1]);
-        let Some([_, period]) = net.period else {
-            return [from(a.min(b))..from(a.max(b)), 0..0];
-        };
+        let [_, period] = net.period.unwrap_or_default();
         let (b, slack) = (b + net.turns[k][1] * period, ROUNDING * period);
         let (low, high) = (a.min(b) - slack, a.max(b) + slack);
         if high - low >= period {
@@ -102,46 +80,16 @@ impl Rows {
 
     /// The half-edge whose face a ray to the left of a vertex runs through, and from the vertex to its start.
     pub(super) fn left_of(&self, net: &Net, vertex: usize) -> Option<(usize, Point)> {
-        let place = net.places[vertex];
-        let height = within(net, place[1]);
+        let height = within(net, net.places[vertex][1]);
         let row = &self.rows[self.rays.partition_point(|&ray| ray < height) / self.stride];
-        let seen = match net.period {
-            Some(_) => 0,
-            None => row.partition_point(|entry| entry.from - place[0] >= self.aside),
-        };
-        let mut best: Option<Hit> = None;
-        for entry in &row[seen..] {
-            if net.period.is_none() && best.as_ref().is_some_and(|best| best.at > entry.to - place[0] + self.aside) {
-                // What comes behind lies farther to the left.
-                break;
-            }
-            for hit in hits(net, vertex, entry.edge as usize) {
-                best = Some(best.filter(|best| !hit.is_right_of(best)).unwrap_or(hit));
-            }
-        }
-        best.map(|hit| (hit.half, hit.start))
+        let all = row.iter().flat_map(|&edge| hits(net, vertex, edge as usize));
+        all.fold(None, |best, hit| better(best, Some(hit))).map(|hit| (hit.half, hit.start))
     }
 }
 
 /// A height, on a torus in the first period.
 fn within(net: &Net, y: f64) -> f64 {
     net.period.map_or(y, |period| y.rem_euclid(period[1]))
-}
-
-/// The left and the right end of an edge of the plane.
-fn span(net: &Net, k: usize) -> [f64; 2] {
-    let [a, b] = net.edges[k].map(|vertex| net.places[vertex as usize][0]);
-    if net.period.is_some() { [0.0; 2] } else { [a.min(b), a.max(b)] }
-}
-
-/// Sorts a row from the right to the left, and finds how far to the right what comes behind reaches.
-fn order(row: &mut [Entry]) {
-    row.sort_unstable_by(|a, b| b.from.total_cmp(&a.from).then(a.edge.cmp(&b.edge)));
-    let mut to = f64::NEG_INFINITY;
-    for entry in row.iter_mut().rev() {
-        to = to.max(entry.to);
-        entry.to = to;
-    }
 }
 
 /// Where an edge, on a torus its images, meets a ray to the left of a vertex.
@@ -164,25 +112,39 @@ fn hits(net: &Net, vertex: usize, k: usize) -> impl Iterator<Item = Hit> {
 }
 
 /// What a ray to the left meets.
-struct Hit {
+pub(super) struct Hit {
     /// How far to the right; it is less than 0.
-    at: f64,
+    pub(super) at: f64,
     /// The vector of the edge, upwards.
     up: Point,
     /// To the right of the edge, as one looks up; and from the vertex to its start.
-    half: usize,
-    start: Point,
+    pub(super) half: usize,
+    pub(super) start: Point,
+}
+
+/// What is met first.
+pub(super) fn better(best: Option<Hit>, hit: Option<Hit>) -> Option<Hit> {
+    match (best, hit) {
+        (Some(best), Some(hit)) => Some(if hit.is_right_of(&best) { hit } else { best }),
+        (best, hit) => best.or(hit),
+    }
+}
+
+/// How far to the right an edge from below to above passes the height 0.
+pub(super) fn crossing(low: Point, high: Point) -> f64 {
+    let up = less(high, low);
+    low[0] - low[1] / up[1] * up[0]
 }
 
 impl Hit {
     /// Where an edge with these ends meets a ray to the left, on a torus for the first time.
-    fn new(k: usize, [a, b]: [Point; 2], period: Option<f64>) -> Option<Self> {
+    pub(super) fn new(k: usize, [a, b]: [Point; 2], period: Option<f64>) -> Option<Self> {
         let (low, high, half, start) = if a[1] <= b[1] { (a, b, 2 * k + 1, b) } else { (b, a, 2 * k, a) };
         if !(low[1] <= 0.0 && 0.0 < high[1]) {
             return None;
         }
         let up = less(high, low);
-        let at = low[0] - low[1] / up[1] * up[0];
+        let at = crossing(low, high);
         let back = period.map_or(0.0, |period| ((at / period).floor() + 1.0) * period);
         (at - back < 0.0).then_some(Self { at: at - back, up, half, start: [start[0] - back, start[1]] })
     }

@@ -3,6 +3,7 @@
 use super::faces::{Net, add, less, rank, turn};
 use super::halves::Halves;
 use super::rays::Rows;
+use super::slabs::Slabs;
 use crate::error::Result;
 use crate::graph::Point;
 use crate::parallel;
@@ -158,11 +159,18 @@ impl Net {
     /// up round the torus, likewise that on the other side of its strip.
     pub(super) fn parents(&self, walks: &Walks<'_>, watch: Watch<'_>) -> Result<Vec<Option<(usize, Point)>>> {
         let floats = walks.iter().filter(|walk| walk.looks_left());
-        let rows = Rows::new(self, floats.map(|walk| self.places[self.start(walk.left)][1]));
+        let rays = floats.map(|walk| self.places[self.start(walk.left)][1]);
+        let left_of: Box<dyn Fn(usize) -> Option<(usize, Point)>> = if self.period.is_some() {
+            let rows = Rows::new(self, rays);
+            Box::new(move |vertex| rows.left_of(self, vertex))
+        } else {
+            let slabs = Slabs::new(self, rays, watch)?;
+            Box::new(move |vertex| slabs.left_of(self, vertex))
+        };
         let mut parents = Vec::with_capacity(walks.len());
         for (id, walk) in walks.iter().enumerate() {
             watch.poll_at(id)?;
-            let hit = walk.looks_left().then(|| rows.left_of(self, self.start(walk.left))).flatten();
+            let hit = walk.looks_left().then(|| left_of(self.start(walk.left))).flatten();
             // The start of the parent's walk, seen from the start of this one.
             let seen =
                 |(half, to_start)| (walks.walk_of(half), less(add(walks.at(walk.left), to_start), walks.at(half)));

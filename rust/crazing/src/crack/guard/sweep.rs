@@ -13,6 +13,10 @@ use crate::watch::Watch;
 /// Steps in which points go back where triangles do not follow.
 const STEPS: u8 = 8;
 
+/// Times that kites about some points are looked for. Then those about all others are, too: where points go back one
+/// after the other, along a comb or about a hub, there are about as many times as points.
+const ASKED: usize = 8;
+
 /// A corner of a triangle as its third one sees it: all cut ends are one, on the outline.
 type Seen = Option<(i32, [i8; 2])>;
 
@@ -21,13 +25,19 @@ struct Around {
     /// Which of the lists is that of a point; the first is none.
     place: Vec<u32>,
     lists: Vec<Vec<u32>>,
+    asked: usize,
 }
 
 impl Around {
     fn learn(&mut self, guard: &Guard<'_>, points: &[u32]) {
-        let new: Vec<u32> = points.iter().copied().filter(|&point| self.place[point as usize] == 0).collect();
+        let is_new = |&point: &u32| self.place[point as usize] == 0;
+        let mut new: Vec<u32> = points.iter().copied().filter(is_new).collect();
         if new.is_empty() {
             return;
+        }
+        self.asked += 1;
+        if self.asked > ASKED {
+            new = (0..self.place.len() as u32).filter(is_new).collect();
         }
         let mut are_these = vec![false; self.place.len()];
         new.iter().for_each(|&point| are_these[point as usize] = true);
@@ -80,7 +90,7 @@ impl Guard<'_> {
         }
         watch.poll()?;
         self.movable = from.len();
-        let mut around = Around { place: vec![0; from.len()], lists: vec![Vec::new()] };
+        let mut around = Around { place: vec![0; from.len()], lists: vec![Vec::new()], asked: 0 };
         let mut moved = self.corners_of(&bad, |_| true);
         around.learn(self, &moved);
         moved.retain(|&corner| {
