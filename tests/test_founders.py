@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import scipy.sparse
 
 import crazing as cz
 
@@ -34,7 +35,20 @@ def test_the_first_crack_of_a_torus_does_not_waver() -> None:
     assert turned[3:].sum() < 0.2 * turned.sum()
 
 
+@pytest.mark.parametrize("period", [(1, 0.05), (0.05, 1), (1, 0.01), (1, 1 / 3), (0.002, 1)])
+def test_a_long_torus_is_split_into_as_many_cells(period):
+    for seed in range(3):
+        drawing = cz.steps.split(500, period=period, rng=seed)
+        # Euler: on a torus what is connected has as many faces as edges beyond its vertices.
+        assert len(drawing.edges) - len(drawing.vertices) == 500
+        assert scipy.sparse.csgraph.connected_components(joined(drawing))[0] == 1
+
+
+def joined(drawing):
+    count = len(drawing.vertices)
+    return scipy.sparse.coo_array((np.ones(len(drawing.edges)), drawing.edges.T), shape=(count, count))
+
+
 def test_a_torus_too_long_to_be_split_is_refused():
-    assert len(cz.steps.split(500, period=(1, 0.2), rng=0).edges) > 1000
-    with pytest.raises(ValueError, match=r"length over width of the period is 100; .* less long"):
-        cz.steps.split(500, period=(0.01, 1), rng=0)
+    with pytest.raises(cz.CrazingError, match=r"length over width of the period is 1073741824; .* less long"):
+        cz.steps.split(500, period=(1, 2.0**-30), rng=0)

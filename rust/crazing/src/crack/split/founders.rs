@@ -17,6 +17,13 @@ const CHOICE: f64 = 0.3;
 const WAVES: [f64; 6] = [0.028, 0.013, 0.006, 0.003, 0.0016, 0.0009];
 /// Pieces of it between the ends of the second.
 const PIECES: usize = 16;
+/// Where a period is so many times as long as wide, pieces of the second crack are cut into more: a wall across the narrow
+/// way would else join one of them to itself. And arcs and waves, which grow with the length, are those of one so many
+/// times as long: the middle of what lies between the cracks would else lie outside.
+const LONG: f64 = 6.0;
+const ARC: f64 = 3.0;
+/// No more pieces than this of each: what is longer is no period that anybody fills.
+const MOST: usize = 1 << 12;
 /// How far from opposite each other the ends of the second crack are, in parts of the first: at least, and at most.
 const ASIDE: [f64; 2] = [0.12, 0.3];
 
@@ -40,9 +47,11 @@ impl Founders {
     pub(super) fn of(corner: Point, period: Point, how: Splitting, rng: &mut Rng) -> Self {
         let [way, next] = way(period, how, rng);
         let [along, over] = [way, next].map(|turns| [0, 1].map(|i| f64::from(turns[i]) * period[i]));
-        let square = along[0] * along[0] + along[1] * along[1];
+        let square = square_of(along);
+        let long = (square_of(over).max(square) / square_of(over).min(square)).sqrt();
+        let bend = if long > LONG { how.bend * ARC / long } else { how.bend };
         let origin = [0, 1].map(|i| corner[i] + period[i] * rng.unit());
-        let waves = WAVES.map(|size| [how.bend * size * normal(rng), rng.unit()]);
+        let waves = WAVES.map(|size| [bend * size * normal(rng), rng.unit()]);
         let aside = ASIDE[0] + (ASIDE[1] - ASIDE[0]) * rng.unit();
         let aside = if rng.unit() < 0.5 { aside } else { -aside };
         // Opposite in the frame of the first crack, and so much aside.
@@ -76,18 +85,31 @@ impl Founders {
             (is_free(&ring, &line, along), ring, line)
         };
         // The less it bends the surer the second crack has room; straight ones always have.
-        let bends = [(1.0, how.bend), (0.5, how.bend / 2.0)];
+        let bends = [(1.0, bend), (0.5, bend / 2.0)];
         let fitting = bends.into_iter().map(|(size, bend)| drawn(size, bend)).find(|(is_free, ..)| *is_free);
         let (_, ring, line) = fitting.unwrap_or_else(|| drawn(0.0, 0.0));
+        let line = if long > LONG { finer(&line, ((long / 2.0).ceil() as usize).min(MOST)) } else { line };
         Self { ring, way, across: line[1..line.len() - 1].to_vec(), shift }
     }
 }
 
 /// A straight line in pieces: a wall that joined its two turns would else join one edge to itself.
-fn pieces([a, b]: [Point; 2]) -> Vec<Point> {
-    let part = |i: usize| i as f64 / PIECES as f64;
-    let inner = (1..PIECES).map(|i| [0, 1].map(|k| a[k] + part(i) * (b[k] - a[k])));
-    std::iter::once(a).chain(inner).chain(std::iter::once(b)).collect()
+fn pieces(ends: [Point; 2]) -> Vec<Point> {
+    finer(&ends, PIECES)
+}
+
+/// The same line, every piece of it in so many.
+fn finer(line: &[Point], parts: usize) -> Vec<Point> {
+    let part = |i: usize| i as f64 / parts as f64;
+    let own = |ends: &[Point]| {
+        let (a, b) = (ends[0], ends[1]);
+        (0..parts).map(move |i| if i == 0 { a } else { [0, 1].map(|k| a[k] + part(i) * (b[k] - a[k])) })
+    };
+    line.windows(2).flat_map(own).chain(line.last().copied()).collect()
+}
+
+fn square_of([x, y]: Point) -> f64 {
+    x * x + y * y
 }
 
 /// The way around that is the shortest where cells are as long as wide, but for chance.
