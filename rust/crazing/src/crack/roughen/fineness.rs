@@ -32,7 +32,8 @@ impl Fineness {
         Self { grain, flat: FLAT * grain, calm, is_rough: amplitude != 0.0 }
     }
 
-    /// How often an edge is halved that wanders on so many levels; one at a tip down to the grain, since there its width runs out in a curve.
+    /// How often an edge is halved that wanders on so many levels; one at a tip down to the grain, since there its width
+    /// runs out in a curve.
     pub(super) fn halvings(&self, room: &Room, bow: &Bow, is_tip: bool, levels: u32) -> u32 {
         let across = room.sides[0][1].max(room.sides[1][1]);
         if !(self.grain > 0.0 && room.length.is_finite() && across > THIN * room.length)
