@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import scipy.spatial
 import shapely
 
 import crazing as cz
@@ -168,6 +169,18 @@ def test_squares_in_slanting_squares_are_plates_of_their_own() -> None:
     inside = np.bincount(tree.query(points.ravel(), predicate="within")[0], minlength=pixels**2).reshape(pixels, pixels)
     pairs = np.unique(np.stack([inside.ravel(), cell.ravel()]), axis=1)
     assert len(pairs.T) == len(np.unique(pairs[0])) == len(np.unique(pairs[1])) > 100
+
+
+def test_distances_to_a_spot_are_those_to_its_points() -> None:
+    """Every pixel is far from all of them, and nearly as far from each."""
+    count, pixels = 60_000, 768
+    spots = 0.5 + 0.005 * np.random.default_rng(0).standard_normal((count, 2))
+    rows = np.arange(count)
+    drawn = crack(graph(spots, np.column_stack([rows, rows])), (0, 0, 1, 1), 0.0)
+    found = cz.texture(drawn, pixels, maps=["distance"])["distance"]
+    x, y = np.meshgrid((np.arange(pixels) + 0.5) / pixels, 1 - (np.arange(pixels) + 0.5) / pixels)
+    wanted = scipy.spatial.cKDTree(spots).query(np.column_stack([x.ravel(), y.ravel()]))[0].reshape(x.shape)
+    np.testing.assert_allclose(found, wanted, atol=2e-5)
 
 
 def test_strands_are_saved_each_from_its_own_edges(tmp_path: Path) -> None:

@@ -1,6 +1,6 @@
 //! A piece as it is seen from a corner near by: in numbers of 32 bits, of which many are done at a time.
 
-use super::piece::Piece;
+use super::piece::{Foot, Piece};
 
 /// A piece seen from a corner near by, in parts of a pixel.
 #[derive(Debug, Clone, Copy)]
@@ -23,6 +23,15 @@ impl Near {
     pub(super) fn new(piece: &Piece, x: i64, y: i64) -> Self {
         let Piece { start, along, length, radius, slope, lean, .. } = *piece;
         Self { start: [(start[0] - x) as i32, (start[1] - y) as i32], along, length, radius, slope, lean }
+    }
+
+    /// How far the centre of the nearest disc is, and the unit vector from there.
+    #[inline(always)]
+    pub(super) fn away(&self, dx: f32, dy: f32) -> (f32, [f32; 2]) {
+        let [u, v] = self.along;
+        let Foot { ahead, side, centre, .. } =
+            Foot::new(dx, dy, self.along, self.length, [self.radius, self.slope], self.lean);
+        (centre, [(ahead * u + side * v) / centre, (ahead * v - side * u) / centre])
     }
 
     /// Signed distance, and where the place lies beside the piece. The same sum as [`Piece::foot`], of which only

@@ -193,7 +193,7 @@ impl Page {
 }
 
 /// Between the middles of the outermost pixels of a square, corner to corner.
-fn diagonal(side: usize) -> f32 {
+pub(super) fn diagonal(side: usize) -> f32 {
     (side - 1) as f32 * std::f32::consts::SQRT_2
 }
 

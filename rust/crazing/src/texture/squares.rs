@@ -1,8 +1,12 @@
 //! The nearest pieces of a page of pixels: candidates are left out from square to ever smaller square.
+//!
+//! Far from all cracks more is known of a candidate than that its distance changes no faster than the place. It is convex,
+//! so that it grows at least as its slope in the middle of a square says; and that to the nearest disc of another grows by
+//! no more than its own slope says and the square of the way over twice that disc's distance.
 
 use super::grid::{PART, UNIT, both};
 use super::near::{CODES, Near};
-use super::nearest::{PAGE, Page, limit};
+use super::nearest::{PAGE, Page, diagonal, limit};
 
 /// Parts of a square along each side.
 const PARTS: usize = 4;
@@ -17,12 +21,20 @@ const LANES: usize = PARTS * PARTS;
 /// Lists this short are not worth another look.
 const SHORT: usize = 2;
 
+/// Nor these a look at slopes, nor squares nearer to a crack than so many of their sides.
+const FEW: usize = 8;
+const FAR: f32 = 4.0;
+
 /// The candidates of the parts of a square.
 #[derive(Debug, Default)]
 struct Spread {
     lists: [Vec<u32>; LANES],
     distances: Vec<[f32; LANES]>,
+    aways: Vec<Away>,
 }
+
+/// How the distance to a candidate grows, from the middle of every part: a unit vector.
+type Away = [[f32; LANES]; 2];
 
 /// The candidates of the parts of a page, and of their parts.
 #[derive(Debug, Default)]
@@ -88,6 +100,10 @@ impl Spread {
             limits[lane] = limit(best[lane], side, reach);
         }
         self.lists.iter_mut().for_each(Vec::clear);
+        let is_far = best.iter().fold(true, |all, &best| all & (best > FAR * side as f32));
+        if is_far && list.len() > FEW {
+            return self.spread_far(near, list, [x, y], side, &limits);
+        }
         for (&place, distances) in list.iter().zip(&self.distances) {
             let mut kept = 0_u32;
             for lane in 0..LANES {
@@ -99,6 +115,55 @@ impl Spread {
             }
         }
     }
+
+    /// The same far from all cracks, from distances that are known and how they grow.
+    #[inline(always)]
+    fn spread_far(&mut self, near: &[Near], list: &[u32], [x, y]: [i32; 2], side: usize, limits: &[f32; LANES]) {
+        let step = side as i32 * UNIT as i32;
+        let (mut best, mut centres, mut most) = ([f32::INFINITY; LANES], [0.0_f32; LANES], [[0.0_f32; LANES]; 2]);
+        self.aways.clear();
+        for (&place, distances) in list.iter().zip(&self.distances) {
+            let piece = &near[place as usize];
+            let (x, y) = (x.wrapping_sub(piece.start[0]), y.wrapping_sub(piece.start[1]));
+            let mut away = [[0.0_f32; LANES]; 2];
+            for lane in 0..LANES {
+                let dx = (x + (lane % PARTS) as i32 * step) as f32 * PART;
+                let dy = (y + (lane / PARTS) as i32 * step) as f32 * PART;
+                let (centre, [right, down]) = piece.away(dx, dy);
+                (away[0][lane], away[1][lane]) = (right, down);
+                let nearer = distances[lane] < best[lane];
+                best[lane] = if nearer { distances[lane] } else { best[lane] };
+                centres[lane] = if nearer { centre } else { centres[lane] };
+                most[0][lane] = if nearer { right } else { most[0][lane] };
+                most[1][lane] = if nearer { down } else { most[1][lane] };
+            }
+            self.aways.push(away);
+        }
+        let radius = diagonal(side) / 2.0;
+        let mut bulges = [0.0_f32; LANES];
+        for lane in 0..LANES {
+            bulges[lane] = best[lane] + radius * radius / (2.0 * centres[lane]) + slack(best[lane]);
+        }
+        for ((&place, distances), away) in list.iter().zip(&self.distances).zip(&self.aways) {
+            let mut kept = 0_u32;
+            for lane in 0..LANES {
+                let [right, down] = [0, 1].map(|axis| away[axis][lane] - most[axis][lane]);
+                let over = distances[lane] - bulges[lane];
+                let is_over = over > 0.0 && over * over > radius * radius * (right * right + down * down);
+                kept |= u32::from(distances[lane] <= limits[lane] && !is_over) << lane;
+            }
+            while kept != 0 {
+                self.lists[kept.trailing_zeros() as usize % LANES].push(place);
+                kept &= kept - 1;
+            }
+        }
+    }
+}
+
+/// What rounding may have added to the difference of two distances, or of their slopes over a page.
+#[inline(always)]
+fn slack(distance: f32) -> f32 {
+    0.02 + 2e-5 * distance.abs()
 }
 
 /// A square of a page in which one piece is the nearest everywhere.
