@@ -39,6 +39,11 @@ impl Incidence {
         Self { starts, rows }
     }
 
+    /// The rows of the first index, then those of the second, and so on.
+    pub(crate) fn into_rows(self) -> Vec<u32> {
+        self.rows
+    }
+
     /// Puts the rows of every index in the order of a value each, the smallest first; equal ones stay ascending.
     pub(crate) fn sort_by_value(&mut self, value: impl Fn(u32) -> f64) {
         for ends in self.starts.windows(2) {

@@ -5,16 +5,21 @@ use super::mesh::Mesh;
 use crate::crack::aged::Aged;
 use crate::crack::fence::Fence;
 use crate::crack::net::{NONE, Net};
+use crate::diagram::curve_order;
 use crate::graph::Point;
+use crate::incidence::Incidence;
 use crate::parallel;
 use crate::predicates::orientation;
 
 impl Mesh {
-    /// The cracks, without the outline.
+    /// The cracks, without the outline: walls that are near each other stand together, cells having been split in no
+    /// order of place.
     pub(super) fn finish(self) -> Aged {
+        let middles = parallel::map(self.cells.len(), |cell| self.middle(cell));
+        let sequence = self.in_order(&middles);
         // One after the other on a thread of its own: which vertex is new depends on all that came before.
-        let middles = || (0..self.cells.len()).map(|cell| self.middle(cell)).collect::<Vec<_>>();
-        let (middles, (order, number)) = parallel::join(self.walls.len(), middles, || self.numbered());
+        let (place, (order, number)) =
+            parallel::join(sequence.len(), || inverse(&sequence), || self.numbered(&sequence));
         let mut cut = vec![false; order.len()];
         for end in self.border.iter().flat_map(|&[a, b, ..]| [a, b]) {
             if let Some(cut) = cut.get_mut(number[end as usize] as usize) {
@@ -22,9 +27,7 @@ impl Mesh {
             }
         }
         let apexes = if self.shifts.is_empty() { Vec::new() } else { self.apex_shifts(&middles) };
-        let Self { points, walls: mut kites, partners, ages, shifts, period, .. } = self;
-        let vertices = parallel::map(order.len(), |i| points[order[i] as usize]);
-        drop((points, order));
+        let vertices = parallel::map(order.len(), |i| self.points[order[i] as usize]);
         let mut anchors = Vec::with_capacity(middles.len());
         let anchor = |middle: Option<Point>| {
             let Some(middle) = middle else { return NONE };
@@ -32,35 +35,59 @@ impl Mesh {
             (vertices.len() + anchors.len()) as i32 - 1
         };
         let anchor: Vec<i32> = middles.into_iter().map(anchor).collect();
-        parallel::alter(&mut kites, |kite| {
-            let [a, b, left, right] = kite.map(|x| x as usize);
-            *kite = [number[a], number[b], anchor[left], anchor[right]];
+        let kites = parallel::map(sequence.len(), |k| {
+            let [a, b, left, right] = self.walls[sequence[k] as usize].map(|x| x as usize);
+            [number[a], number[b], anchor[left], anchor[right]]
         });
+        let of_end = |end: i32| if end == NONE { NONE } else { 2 * place[end as usize / 2] as i32 + end % 2 };
+        let partner =
+            parallel::map(2 * sequence.len(), |end| of_end(self.partners[sequence[end / 2] as usize][end % 2]));
         let edges = parallel::map(kites.len(), |k| [kites[k][0], kites[k][1]]);
-        let net = Net { vertices, edges, shifts, period, cut };
-        let fence = Fence { anchors, kites, shifts: apexes };
-        Aged { net, fence, partner: partners.into_flattened(), age: ages }
+        let net = Net { vertices, edges, shifts: sorted(&self.shifts, &sequence), period: self.period, cut };
+        let fence = Fence { anchors, kites, shifts: sorted(&apexes, &sequence) };
+        Aged { net, fence, partner, age: sorted(&self.ages, &sequence) }
+    }
+
+    /// The walls cell by cell, along a curve through their middles.
+    fn in_order(&self, middles: &[Option<Point>]) -> Vec<u32> {
+        let start = |cell: usize| self.cells.list(cell)[0].at;
+        let curve = curve_order(&parallel::map(middles.len(), |cell| middles[cell].unwrap_or_else(|| start(cell))));
+        let rank = inverse(&curve);
+        let first = parallel::map(self.walls.len(), |k| {
+            let [_, _, left, right] = self.walls[k];
+            [rank[left as usize].min(rank[right as usize]) as i32]
+        });
+        Incidence::of(middles.len(), &first).into_rows()
     }
 
     /// The vertices in the order in which walls come to them, and for each vertex its place there; -1 for corners of the
     /// bounds, to which none comes.
-    fn numbered(&self) -> (Vec<i32>, Vec<i32>) {
+    fn numbered(&self, sequence: &[u32]) -> (Vec<i32>, Vec<i32>) {
         let mut number = vec![NONE; self.points.len()];
         let mut order = Vec::with_capacity(self.points.len());
-        for end in self.walls.iter().flat_map(|&[a, b, ..]| [a, b]) {
-            if number[end as usize] == NONE {
-                number[end as usize] = order.len() as i32;
-                order.push(end);
+        for &k in sequence {
+            let [a, b, ..] = self.walls[k as usize];
+            for end in [a, b] {
+                if number[end as usize] == NONE {
+                    number[end as usize] = order.len() as i32;
+                    order.push(end);
+                }
             }
         }
         (order, number)
     }
 
-    /// The middle of a cell if all its walls see it.
+    /// The middle of a cell, or of the part of it that all its walls see; none if there is no such part.
     fn middle(&self, cell: usize) -> Option<Point> {
         let (area, middle) = measure(self.ring(cell));
-        let next = self.ring(cell).skip(1).chain(self.ring(cell).take(1));
-        self.ring(cell).zip(next).all(|(p, q)| orientation(p, q, middle) > 1e-9 * area).then_some(middle)
+        let sees = |place: &Point| {
+            let next = self.ring(cell).skip(1).chain(self.ring(cell).take(1));
+            self.ring(cell).zip(next).all(|(p, q)| orientation(p, q, *place) > 1e-9 * area)
+        };
+        Some(middle).filter(sees).or_else(|| {
+            let seen = kernel(&self.ring(cell).collect::<Vec<_>>());
+            Some(measure(seen.into_iter()).1).filter(sees)
+        })
     }
 
     /// Periods between the first end of each wall and its other end, its left anchor, and its right anchor.
@@ -78,4 +105,38 @@ impl Mesh {
         }
         shifts
     }
+}
+
+/// Of each of the numbers below the length of a permutation its place there.
+fn inverse(permutation: &[u32]) -> Vec<u32> {
+    let mut place = vec![0; permutation.len()];
+    permutation.iter().zip(0..).for_each(|(&number, i)| place[number as usize] = i);
+    place
+}
+
+/// Rows in another order; none if there are none.
+fn sorted<T: Copy + Sync + Send>(rows: &[T], order: &[u32]) -> Vec<T> {
+    parallel::map(if rows.is_empty() { 0 } else { order.len() }, |i| rows[order[i] as usize])
+}
+
+/// The part of a polygon that all its sides see, but for rounding.
+fn kernel(ring: &[Point]) -> Vec<Point> {
+    let mut seen = ring.to_vec();
+    let mut part = Vec::new();
+    for (&p, &q) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+        let height = |r: Point| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+        part.clear();
+        for (&a, &b) in seen.iter().zip(seen.iter().cycle().skip(1)) {
+            let (here, there) = (height(a), height(b));
+            if here >= 0.0 {
+                part.push(a);
+            }
+            if (here < 0.0) != (there < 0.0) {
+                let along = here / (here - there);
+                part.push([0, 1].map(|i| a[i] + along * (b[i] - a[i])));
+            }
+        }
+        std::mem::swap(&mut seen, &mut part);
+    }
+    seen
 }
