@@ -15,7 +15,7 @@ const STEPS: u8 = 8;
 
 /// Times that kites about some points are looked for. Then those about all others are, too: where points go back one
 /// after the other, along a comb or about a hub, there are about as many times as points.
-const ASKED: usize = 8;
+const ASKED: usize = 24;
 
 /// A corner of a triangle as its third one sees it: all cut ends are one, on the outline.
 type Seen = Option<(i32, [i8; 2])>;
