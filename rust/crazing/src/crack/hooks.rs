@@ -5,6 +5,7 @@ use super::fence::{Fence, FenceView};
 use super::net::{self, Ends, NONE, Net, NetView};
 use crate::error::{Error, Result};
 use crate::graph::Point;
+use crate::parallel;
 use crate::watch::Watch;
 
 /// A crack is looked at over its reach, and over these parts of it: one that turns back and forth within the reach comes
@@ -14,6 +15,9 @@ const PARTS: [f64; 3] = [0.25, 0.5, 1.0];
 /// Edges along a crack that are looked at on either side, however short they are beside the reach. Those of plates are
 /// some, those of a traced line some tens.
 const MOST: usize = 128;
+
+/// Turns that are looked at between two looks at whether to go on.
+const AT_ONCE: usize = 1 << 18;
 
 /// How sharply cracks may turn, and over which way.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -88,22 +92,21 @@ impl<'a> Parting<'a> {
             net,
             farthest: reaches.iter().copied().fold(0.0, f64::max),
             reaches,
-            spans: (0..net.edges.len()).map(|edge| (net.along(2 * edge as u32), net.length(edge))).collect(),
+            spans: parallel::map(net.edges.len(), |edge| (net.along(2 * edge as u32), net.length(edge))),
             ends,
             partner: partner.to_vec(),
             stays: vec![true; net.edges.len()],
             degrees: net.degrees(),
-            suspects: (0..partner.len() as u32).filter(|&end| partner[end as usize] > end as i32).collect(),
+            suspects: parallel::compact(partner.len(), |end| (partner[end] > end as i32).then_some(end as u32)),
         };
         let mut hooks = Vec::new();
         while !parting.suspects.is_empty() {
-            for (step, a) in std::mem::take(&mut parting.suspects).into_iter().enumerate() {
-                watch.poll_at(step)?;
-                // What is cut goes on outside.
-                let other = u32::try_from(parting.partner[a as usize]).ok();
-                let pair = other.filter(|&b| a < b && !net.cut[net.vertex(a)]);
-                let hook = pair.map(|b| (parting.cosine(a, b), a, b));
-                hooks.extend(hook.filter(|&(cosine, ..)| cosine > limit));
+            for suspects in std::mem::take(&mut parting.suspects).chunks(AT_ONCE) {
+                watch.poll()?;
+                let found = parallel::ranges(suspects.len(), |range| {
+                    suspects[range].iter().filter_map(|&end| parting.hook(end, limit)).collect::<Vec<_>>()
+                });
+                hooks.extend(found.into_iter().flatten());
             }
             hooks.sort_by(|p, q| q.0.total_cmp(&p.0).then(p.1.cmp(&q.1)));
             for (step, (_, a, b)) in hooks.drain(..).enumerate() {
@@ -117,6 +120,15 @@ impl<'a> Parting<'a> {
             parting.suspects.dedup();
         }
         Ok(parting)
+    }
+
+    /// The turn of the crack that passes the vertex of an end, if it is sharper than the limit: its cosine, and both ends.
+    fn hook(&self, a: u32, limit: f64) -> Option<(f64, u32, u32)> {
+        // What is cut goes on outside.
+        let other = u32::try_from(self.partner[a as usize]).ok();
+        let pair = other.filter(|&b| a < b && !self.net.cut[self.net.vertex(a)]);
+        let hook = pair.map(|b| (self.cosine(a, b), a, b));
+        hook.filter(|&(cosine, ..)| cosine > limit)
     }
 
     /// The largest cosine between the ways on both sides of a vertex.
@@ -213,7 +225,7 @@ fn reaches(net: NetView<'_>, fence: FenceView<'_>, reach: f64, spacing: f64) -> 
         let apart = place(2).zip(place(3)).map_or(0.0, |([x, y], [u, v])| net::length([u - x, v - y]));
         reach * (apart / spacing).max(1.0)
     };
-    (0..net.edges.len()).map(of_edge).collect()
+    parallel::map(net.edges.len(), of_edge)
 }
 
 /// The drawing without the edges that [`parted`] leaves out. Their kites stay
@@ -259,18 +271,18 @@ pub(super) fn apart(
     let corner_of = |old: i32| corner.get(old as usize).copied().unwrap_or(old);
     Ok(Aged {
         net: Net {
-            vertices: ends.iter().map(|&vertex| net.vertices[vertex]).collect(),
-            edges: drawn.iter().map(|&k| net.edges[k].map(corner_of)).collect(),
+            vertices: parallel::map(ends.len(), |i| net.vertices[ends[i]]),
+            edges: parallel::map(drawn.len(), |i| net.edges[drawn[i]].map(corner_of)),
             shifts: drawn.iter().filter_map(|&k| net.shifts.get(k).copied()).collect(),
             period: net.period,
             cut: ends.iter().map(|&vertex| net.cut[vertex]).collect(),
         },
         fence: Fence {
             anchors: bare.iter().map(|&vertex| net.vertices[vertex]).chain(fence.anchors.iter().copied()).collect(),
-            kites: rows.iter().map(|&row| fence.kites[row].map(corner_of)).collect(),
+            kites: parallel::map(rows.len(), |i| fence.kites[rows[i]].map(corner_of)),
             shifts: rows.iter().filter_map(|&row| fence.shifts.get(row).copied()).collect(),
         },
-        partner: drawn.iter().flat_map(|&k| [partner[2 * k], partner[2 * k + 1]].map(partner_of)).collect(),
+        partner: parallel::map(2 * drawn.len(), |end| partner_of(partner[2 * drawn[end / 2] + end % 2])),
         age: drawn.iter().filter_map(|&k| age.get(k).copied()).collect(),
     })
 }
