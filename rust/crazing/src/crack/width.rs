@@ -2,7 +2,7 @@
 
 mod uneven;
 
-use super::net::NetView;
+use super::net::{NetView, length};
 use super::noise::power;
 use super::strand::Strands;
 use crate::error::{Error, Result};
@@ -93,8 +93,7 @@ pub(super) fn widen(
                     Way { before: strands.before[edge], turned: strands.turned[edge], length: whole.length(edge) };
                 way.along(&shapes[run], knots.along(strands, run), own);
                 if profile.fade != 0.0 {
-                    let ends = own.iter_mut().flatten().zip(2 * starts[edge] as u32..);
-                    ends.for_each(|(width, end)| *width *= faded(net, profile, end));
+                    fade(net, profile, starts[edge], own);
                 }
             }
         },
@@ -156,15 +155,25 @@ fn factor(spread: f64, key: Key, strand: usize, knot: u64) -> f64 {
     libm::exp(spread * quantile::normal(open_unit(word)))
 }
 
-/// The part of the width that is left at the vertex of an end.
-fn faded(net: NetView<'_>, profile: &Profile, end: u32) -> f64 {
-    let p = net.vertices[net.vertex(end)];
+/// Takes from the widths of pieces of one edge, of which `first` is the first, what is lost far from the source.
+fn fade(net: NetView<'_>, profile: &Profile, first: usize, pieces: &mut [[f64; 2]]) {
+    let mut left = faded(net, profile, net.edges[first][0]);
+    for (widths, &[_, end]) in pieces.iter_mut().zip(&net.edges[first..]) {
+        widths[0] *= left;
+        left = faded(net, profile, end);
+        widths[1] *= left;
+    }
+}
+
+/// The part of the width that is left at a vertex.
+fn faded(net: NetView<'_>, profile: &Profile, vertex: i32) -> f64 {
+    let p = net.vertices[vertex as usize];
     let nearest = |i: usize| {
         let (apart, period) = (p[i] - profile.source[i], net.period[i]);
         if period > 0.0 { apart - (apart / period).round() * period } else { apart }
     };
-    let far = libm::hypot(nearest(0), nearest(1)) / profile.reach;
-    libm::pow(1.0 + far * far, -0.5 * profile.fade)
+    let far = length([nearest(0), nearest(1)]) / profile.reach;
+    power(1.0 + far * far, -0.5 * profile.fade)
 }
 
 /// How a strand ends.
