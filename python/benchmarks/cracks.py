@@ -1,5 +1,5 @@
-"""Times of crack recipes as ratios: a full recipe to its diagram (and SciPy's Delaunay, which no change of ours makes
-faster), presets to SciPy's Voronoi of as many points.
+"""Times of crack recipes as ratios: recipes with every step, and with one of each, and presets to the diagram of as
+many points (and SciPy's Delaunay, which no change of ours makes faster), small presets to SciPy's Voronoi.
 
 Processor time of all threads, and wall time beside it; every pair is timed in turn, and the least of the rounds counts.
 Beside the times stands what explains them: how much of the processor time is the system's, which clears fresh memory,
@@ -42,8 +42,15 @@ FULL = cz.Recipe(
     taper=0.45,
     unevenness=0.2,
 )
-#: The preset with most steps.
-COSTLIEST = "painting-italian"
+#: One of each step, and no more: two that measured like paintings when steps were first tried.
+PLAIN = {
+    "relaxed twice, 5 rounds": cz.Recipe(
+        relax=2, opening=0.57, rounds=5, pull=0.64, slide=0.18, clamp=0.2, roughness=0.01
+    ),
+    "relaxed once, warped": cz.Recipe(
+        relax=1, opening=0.8, rounds=2, pull=0.6, slide=0.39, clamp=0.34, roughness=0.02, warp=0.006
+    ),
+}
 FRAME = 16.0
 #: What is measured, in this order: seconds, but pages.
 MEASURES = ("processor", "wall", "system", "alone", "pages")
@@ -80,7 +87,7 @@ def full(n: int, rounds: int) -> list[dict[str, object]]:
     how = {"roughness": FULL.roughness, "rounding": FULL.rounding, "unit": unit, "grain": FULL.grain}
     grown = cz.steps.stubs(straight, **branches, rng=1)
     rough = cz.steps.roughen(grown, **how, rng=1)
-    work = {
+    work: dict[str, Callable[[], object]] = {
         "diagram": lambda: cz.diagram(points),
         f"relax, {FULL.relax} rounds": lambda: cz.sample.relax(points, iterations=FULL.relax, bounds=(0, 0, 1, 1)),
         "maze": lambda: cz.maze(d, opening=FULL.opening, bounds=(0, 0, 1, 1), rng=1),
@@ -93,7 +100,7 @@ def full(n: int, rounds: int) -> list[dict[str, object]]:
         "widen": lambda: cz.steps.widen(rough, width=0.1 * unit, unevenness=FULL.unevenness, unit=unit),
         "splitting": lambda: cz.steps.split(n, rng=1),
         "full recipe": lambda: FULL.replace(n=n).crack(rng=1),
-        COSTLIEST: lambda: cz.preset(COSTLIEST).replace(n=n).crack(rng=1),
+        **{name: partial(recipe.replace(n=n).crack, rng=1) for name, recipe in PLAIN.items()},
         "SciPy's Delaunay": lambda: Delaunay(points),
     }
     best = times(work, rounds)
@@ -105,6 +112,20 @@ def full(n: int, rounds: int) -> list[dict[str, object]]:
         rows.append({"what": name, "n": n, "processor": processor, "wall": wall, "system": system, "alone": alone})
         print(f"  {name:<24} {processor:6.2f} x the diagram, wall {wall:6.2f} x", end="")
         print(f"; system {system:5.2f}, on one thread {alone:5.2f}, pages {found[4]:9.0f}")
+    return rows
+
+
+def large(n: int, rounds: int) -> list[dict[str, object]]:
+    """Presets of n plates, as ratios to the diagram of as many points; impacts have what their speed makes."""
+    points = cz.sample.uniform(n, rng=1)
+    rows = []
+    print(f"presets at {n} plates, beside their diagram")
+    for name in (name for name in cz.presets() if cz.preset(name).generator != "impact"):
+        call = partial(cz.preset(name).replace(n=n).crack, rng=1)
+        best = times({"diagram": lambda: cz.diagram(points), name: call}, rounds)
+        processor, wall = best[name][:2] / best["diagram"][:2]
+        rows.append({"what": name, "n": n, "processor": processor, "wall": wall})
+        print(f"  {name:<24} {processor:6.2f} x the diagram, wall {wall:6.2f} x", flush=True)
     return rows
 
 
@@ -129,7 +150,8 @@ def main() -> None:
     parser.add_argument("--small", action="store_true", help="few points, for checks")
     parser.add_argument("-o", "--output", type=Path, metavar="FOLDER", help="also write the figures here as JSON")
     given = parser.parse_args()
-    rows = full(2_000 if given.small else 1_000_000, 1 if given.small else 3)
+    n, rounds = (2_000, 1) if given.small else (1_000_000, 3)
+    rows = full(n, rounds) + large(n, min(rounds, 2))
     rows += small(300, 1 if given.small else 20)
     if given.output:
         given.output.mkdir(parents=True, exist_ok=True)
