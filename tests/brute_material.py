@@ -82,23 +82,26 @@ class Ground:
         pitch = getattr(self.m, f"{name}_size") * 4 / 3
         if pitch <= 0:
             return found
+        stretch = 1.0 if name == "chip" else self.m.stretch
+        times = np.maximum((1 / stretch, stretch), 1)
         for octave in range(16):
             part = 0.5**octave
             if octave < count or pitch * part >= 2:
-                found += part / (2 - 0.5 ** (count - 1)) * self._octave(16 * kind + octave, max(1.0, pitch * part))
+                weight = part / (2 - 0.5 ** (count - 1))
+                found += weight * self._octave(16 * kind + octave, max(1.0, pitch * part) * times)
         return found
 
-    def _octave(self, stream: int, pitch: float) -> Floats:
+    def _octave(self, stream: int, pitch: Floats) -> Floats:
         height, width = self.brute.shape
         first = self.brute.ends[0, 0] if len(self.brute.ends) else np.zeros(2)
         pin = np.floor([first[0] + width / 2, height / 2 - first[1]])
         places, steps = [], []
         for axis, count in enumerate((width, height)):
             pixel = np.arange(count) - pin[axis]
-            rate, step = 1 / pitch, 0
+            rate, step = 1 / pitch[axis], 0
             if self.brute.period is not None:
                 period = round(self.brute.period[axis])
-                step = max(1, round(period / pitch))
+                step = max(1, round(period / pitch[axis]))
                 pixel, rate = pixel % period, step / period
             shift = stream * (0.6180339887498949, 0.7548776662466927)[axis] % 1
             places.append((pixel + 0.5 + (self.beside[0], -self.beside[1])[axis]) * rate + shift)

@@ -154,6 +154,8 @@ def test_the_material_of_every_preset(name):
         {"roundness": 1, "curl": -0.3},
         {"chip": 4, "chip_size": 0.3},
         {"fray": 1, "grain_size": 0.2},
+        {"stretch": 5, "grain": 0.1, "grain_size": 0.1},
+        {"stretch": 0.2, "grain_size": 0.2, "fray": 1, "chip": 2},
     ],
 )
 @pytest.mark.parametrize("name", ["very wide", "wide to none", "acute", "wider than the period", "no length"])
@@ -189,6 +191,7 @@ def test_plates_tilt_about_their_middles():
         cz.Material(relief=1.0, roundness=0.7),
         cz.Material(chip=2, grain=0.1, curl=0.3),
         cz.Material(relief=1.0, fray=0.8, grain_size=0.3, curl=0.2),
+        cz.Material(relief=1.0, fray=0.8, grain=0.2, grain_size=0.3, stretch=4),
     ],
 )
 def test_normals_are_the_slope_of_the_heights_of_the_reference(material):

@@ -24,6 +24,7 @@ _RANGES = {
     "curl_width": (0.0, 10.0),
     "grain_size": (0.0, 100.0),
     "mottle_size": (0.0, 100.0),
+    "stretch": (0.01, 100.0),
     "dirt_width": (0.0, 10.0),
     "wear_width": (0.0, 10.0),
 }
@@ -67,6 +68,9 @@ class Material:
         How far along the ramp plates differ from each other, large patches do, and the grain does.
     mottle_size : float
         Size of the largest patches, in plates.
+    stretch : float
+        Grains and patches are so many times as long, along y, as their size, which is that across: fibres of bark or
+        wood. Below 1 along x.
     crack : colour
         Inside the cracks.
     dirt, dirt_amount, dirt_width : colour, float, float
@@ -108,6 +112,7 @@ class Material:
     mottle: float = 0.4
     mottle_size: float = 1.5
     speckle: float = 0.15
+    stretch: float = 1.0
     crack: Color = "#2b2622"
     dirt: Color = "#6f6455"
     dirt_amount: float = 0.4

@@ -34,7 +34,7 @@ macro_rules! fields {
 fn material(given: &Bound<'_, PyAny>) -> PyResult<Material> {
     Ok(fields!(given, Material {
         relief, widest, depth, roundness, rim, rim_width, chip, chip_size, fray, curl, curl_width, curl_spread, tilt,
-        level, grain, grain_size, tint, mottle, mottle_size, speckle, dirt_amount, dirt_width, dirt_taper, wear, wear_width, roughness,
+        level, grain, grain_size, tint, mottle, mottle_size, speckle, stretch, dirt_amount, dirt_width, dirt_taper, wear, wear_width, roughness,
         roughness_spread, crack_roughness, debris
     } { plate, crack, dirt, worn }))
 }

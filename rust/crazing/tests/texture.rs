@@ -65,6 +65,7 @@ fn material() -> Material {
         mottle: 0.3,
         mottle_size: 0.3,
         speckle: 0.2,
+        stretch: 1.0,
         crack: [30, 20, 10],
         dirt: [90, 70, 50],
         dirt_amount: 0.5,

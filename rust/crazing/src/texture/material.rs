@@ -31,6 +31,7 @@ pub struct Material {
     pub mottle: f32,
     pub mottle_size: f32,
     pub speckle: f32,
+    pub stretch: f32,
     pub crack: Rgb,
     pub dirt: Rgb,
     pub dirt_amount: f32,
@@ -48,46 +49,47 @@ pub struct Material {
 impl Material {
     /// Refuses what is not a number, and a ramp without a colour.
     pub(super) fn check(&self) -> Result<()> {
-        let Self { relief, widest, depth, roundness, rim, rim_width, chip, chip_size, fray, .. } = *self;
-        let Self {
-            curl,
-            curl_width,
-            curl_spread,
-            tilt,
-            level,
-            grain,
-            grain_size,
-            tint,
-            mottle,
-            mottle_size,
-            speckle,
-            ..
-        } = *self;
-        let Self { dirt_amount, dirt_width, dirt_taper, wear, wear_width, roughness, roughness_spread, .. } = *self;
-        let shape = [relief, widest, depth, roundness, rim, rim_width, chip, chip_size, fray];
-        let plates = [
-            curl,
-            curl_width,
-            curl_spread,
-            tilt,
-            level,
-            grain,
-            grain_size,
-            tint,
-            mottle,
-            mottle_size,
-            speckle,
-            dirt_amount,
-            dirt_width,
-        ];
-        let rest = [dirt_taper, wear, wear_width, roughness, roughness_spread, self.crack_roughness, self.debris];
-        let all = shape.iter().chain(&plates).chain(&rest);
-        match all.copied().find(|value| !value.is_finite()) {
-            Some(value) => {
-                Err(Error::BadValue { name: "material", value: value.into(), wanted: "finite numbers are wanted" })
-            }
+        let wrong = |value: f32, wanted| Err(Error::BadValue { name: "material", value: value.into(), wanted });
+        match self.numbers().into_iter().find(|value| !value.is_finite()) {
+            Some(value) => wrong(value, "finite numbers are wanted"),
+            None if self.stretch <= 0.0 => wrong(self.stretch, "a positive stretch is wanted"),
             None if self.plate.is_empty() => Err(Error::BadLength { array: "material.plate", found: 0, wanted: 1 }),
             None => Ok(()),
         }
+    }
+
+    fn numbers(&self) -> [f32; 30] {
+        [
+            self.relief,
+            self.widest,
+            self.depth,
+            self.roundness,
+            self.rim,
+            self.rim_width,
+            self.chip,
+            self.chip_size,
+            self.fray,
+            self.curl,
+            self.curl_width,
+            self.curl_spread,
+            self.tilt,
+            self.level,
+            self.grain,
+            self.grain_size,
+            self.tint,
+            self.mottle,
+            self.mottle_size,
+            self.speckle,
+            self.stretch,
+            self.dirt_amount,
+            self.dirt_width,
+            self.dirt_taper,
+            self.debris,
+            self.wear,
+            self.wear_width,
+            self.roughness,
+            self.roughness_spread,
+            self.crack_roughness,
+        ]
     }
 }

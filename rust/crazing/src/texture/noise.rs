@@ -37,7 +37,7 @@ const MOVED: [f64; 2] = [0.618_033_988_749_894_9, 0.754_877_666_246_692_7];
 /// No more octaves than have numbers of their own.
 const OCTAVES: u64 = 16;
 
-/// Noise on a lattice of a given pitch.
+/// Noise on a lattice of a given pitch, across and down.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Noise {
     key: Key,
@@ -64,23 +64,27 @@ pub(super) struct Ground {
 
 /// Octaves of noise, each of half the pitch and half the weight of the one before: those that make its look, which are
 /// there at any size, their weights 1 in all; and as many more as have a pitch of [`FINEST`] pixels, so that a large
-/// picture shows more of the same. `size` is that of the largest spots, pixels.
-pub(super) fn octaves(ground: Ground, kind: u64, size: f64, count: u64) -> Vec<Noise> {
+/// picture shows more of the same. `size` is that of the largest spots, pixels, where they are least wide; they are
+/// `stretch` times as long down the picture as they are wide, across it below 1.
+pub(super) fn octaves(ground: Ground, kind: u64, size: f64, stretch: f64, count: u64) -> Vec<Noise> {
     let (pitch, sum) = (SPOTS * size, 2.0 - 1.0 / (1_u64 << (count - 1)) as f32);
+    let longer = [1.0 / stretch, stretch].map(|times| times.max(1.0));
     let one = |octave: u64| {
         let part = 1.0 / (1_u64 << octave) as f64;
-        Noise::new(ground, 16 * kind + octave, (pitch * part).max(1.0), part as f32 / sum)
+        let pitch = longer.map(|times| (pitch * part).max(1.0) * times);
+        Noise::new(ground, 16 * kind + octave, pitch, part as f32 / sum)
     };
     let finer = (count..OCTAVES).take_while(|&octave| pitch >= FINEST * (1_u64 << octave) as f64);
     if pitch > 0.0 { (0..count).chain(finer).map(one).collect() } else { Vec::new() }
 }
 
 impl Noise {
-    fn new(ground: Ground, octave: u64, pitch: f64, weight: f32) -> Self {
+    fn new(ground: Ground, octave: u64, pitch: [f64; 2], weight: f32) -> Self {
         let Ground { key, period, pin } = ground;
-        let steps = period.map(|length| if length > 0 { (length as f64 / pitch).round().max(1.0) as i64 } else { 0 });
-        let rate =
-            [0, 1].map(|axis| if steps[axis] > 0 { steps[axis] as f64 / period[axis] as f64 } else { 1.0 / pitch });
+        let round = |axis: usize| (period[axis] as f64 / pitch[axis]).round().max(1.0) as i64;
+        let steps = [0, 1].map(|axis| if period[axis] > 0 { round(axis) } else { 0 });
+        let rate = [0, 1]
+            .map(|axis| if steps[axis] > 0 { steps[axis] as f64 / period[axis] as f64 } else { 1.0 / pitch[axis] });
         let shift = MOVED.map(|part| (octave as f64 * part).fract());
         Self { key, octave, weight, rate, shift, steps, period, pin }
     }
@@ -218,6 +222,10 @@ mod tests {
     const KEY: Key = [3, 4];
 
     fn noise(period: [i64; 2], pitch: f64) -> Noise {
+        stretched(period, [pitch; 2])
+    }
+
+    fn stretched(period: [i64; 2], pitch: [f64; 2]) -> Noise {
         Noise::new(Ground { key: KEY, period, pin: [5, -7] }, 18, pitch, 1.0)
     }
 
@@ -243,27 +251,33 @@ mod tests {
 
     #[test]
     fn neither_pages_nor_periods_are_seen() {
-        for (period, pitch) in
-            [([0, 0], 1.0), ([0, 0], 2.7), ([0, 0], 1e30), ([40, 23], 7.3), ([5, 3], 2.0), ([1, 1], 9.0)]
-        {
-            let noise = noise(period, pitch);
+        for (period, pitch) in [
+            ([0, 0], [1.0; 2]),
+            ([0, 0], [2.7, 8.1]),
+            ([0, 0], [1e30; 2]),
+            ([40, 23], [7.3; 2]),
+            ([40, 23], [9.0, 2.0]),
+            ([5, 3], [2.0; 2]),
+            ([1, 1], [9.0; 2]),
+        ] {
+            let noise = stretched(period, pitch);
             let whole = window(&noise, [-60, -9], [128, 30], 64);
             for part in [1, 7, 63] {
                 assert_eq!(
                     bits(&whole),
                     bits(&window(&noise, [-60, -9], [128, 30], part)),
-                    "{period:?} {pitch} {part}"
+                    "{period:?} {pitch:?} {part}"
                 );
             }
             let moved = window(&noise, [-60 + period[0], -9 + 2 * period[1]], [128, 30], 64);
-            assert_eq!(bits(&whole), bits(&moved), "{period:?} {pitch}");
+            assert_eq!(bits(&whole), bits(&moved), "{period:?} {pitch:?}");
         }
     }
 
     #[test]
     fn slopes_are_those_of_the_values() {
         // So coarse that a pixel is next to nothing.
-        let rows = window(&noise([0, 0], 900.0), [1000, 2000], [900, 900], 64);
+        let rows = window(&stretched([0, 0], [900.0, 1100.0]), [1000, 2000], [900, 900], 64);
         for y in (1..899).step_by(37) {
             for x in 1..899 {
                 let right = 0.5 * (rows[y][x + 1].value - rows[y][x - 1].value);
@@ -293,10 +307,14 @@ mod tests {
     #[test]
     fn larger_pictures_have_more_octaves_down_to_two_pixels() {
         let ground = Ground { key: KEY, period: [0; 2], pin: [0; 2] };
-        let count = |size: f64| octaves(ground, 1, size, 3).len();
+        let count = |size: f64| octaves(ground, 1, size, 1.0, 3).len();
         assert_eq!([0.0, 0.1, 6.0, 12.0, 24.0, 24.0 * 1024.0].map(count), [0, 3, 3, 4, 5, 15]);
         assert_eq!(count(1e300), 16);
-        let weights: f32 = octaves(ground, 1, 1.0, 3).iter().map(|octave| octave.weight).sum();
+        for (stretch, wanted) in [(4.0, [0.125, 0.03125]), (0.25, [0.03125, 0.125]), (1.0, [0.125; 2])] {
+            let rates: Vec<_> = octaves(ground, 1, 6.0, stretch, 3).iter().map(|octave| octave.rate).collect();
+            assert_eq!(rates[..2], [wanted, wanted.map(|rate| 2.0 * rate)]);
+        }
+        let weights: f32 = octaves(ground, 1, 1.0, 5.0, 3).iter().map(|octave| octave.weight).sum();
         assert!((weights - 1.0).abs() < 1e-6);
     }
 }

@@ -154,8 +154,9 @@ impl<'a> Scene<'a> {
         let Asked { pattern, sides, grid, window, key } = asked;
         let (wants, plain, profile) = (Wants::new(maps), is_plain(material), Profile::new(material, grid.scale));
         let ground = Ground { key, period: grid.period, pin: pin(&pattern, &grid)? };
-        let octaves = |on: bool, kind: u64, pitch: f32, count: u64| {
-            if on { noise::octaves(ground, kind, f64::from(pitch) * grid.scale, count) } else { Vec::new() }
+        let octaves = |on: bool, kind: u64, size: f32, stretch: f32, count: u64| {
+            let size = f64::from(size) * grid.scale;
+            if on { noise::octaves(ground, kind, size, stretch.into(), count) } else { Vec::new() }
         };
         let tilted = wants.profile && material.tilt != 0.0;
         let Sorted { near, parts, bands, scan, fans, ties } =
@@ -177,9 +178,9 @@ impl<'a> Scene<'a> {
             scan,
             fans,
             ties,
-            grain: octaves(wants.grain(material), 0, material.grain_size, 2),
-            mottle: octaves(wants.look, 1, material.mottle_size, 3),
-            chip: octaves(material.chip > 0.0 && (wants.profile || wants.look), 2, material.chip_size, 2),
+            grain: octaves(wants.grain(material), 0, material.grain_size, material.stretch, 2),
+            mottle: octaves(wants.look, 1, material.mottle_size, material.stretch, 3),
+            chip: octaves(material.chip > 0.0 && (wants.profile || wants.look), 2, material.chip_size, 1.0, 2),
             chip_depth: (f64::from(material.chip) * grid.scale) as f32,
             fray: material.fray,
             grain_height: material.grain,
