@@ -4,15 +4,17 @@
 mask and of six maps together (mask, height, normal, distance, cell, strand; also into arrays that have been used
 before) on one and on two threads, each over the time of every peer that is installed: tapered polygons, and plain
 lines of one width, anti-aliased, in one 8-bit channel where the library has one. Below 1 means that the texture is
-faster. Beside these: how much two threads gain, how the six maps compare with writing as many bytes, what a picture
-without cracks takes over that, and the time a pixel at several sizes. What each of the six maps costs alone, over all
-six together, is printed for the first number of edges from 100k on. A library that is not installed is named as such.
+faster. Beside these: how much two threads gain, and how much where as many bytes are only written; how the six maps
+compare with writing as many bytes, what a picture without cracks takes over that, and the time a pixel at many sizes.
+What each of the six maps costs alone, over all six together, is printed for the first number of edges from 100k on. A
+library that is not installed is named as such.
 """
 
 from __future__ import annotations
 
 import argparse
 import importlib
+import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -193,6 +195,21 @@ def written(side: int, maps: tuple[str, ...] = SIX) -> list[np.ndarray]:
     return [np.full((side, side, *like[name].shape[2:]), 1, dtype=like[name].dtype) for name in maps]
 
 
+def written_by_two(side: int, maps: tuple[str, ...] = SIX) -> None:
+    """The same on two threads, each its half of every array."""
+    found = [np.empty((side, side, *array.shape[2:]), dtype=array.dtype) for array in written(1, maps)]
+
+    def fill(half: slice) -> None:
+        for array in found:
+            array[half] = 1
+
+    threads = [threading.Thread(target=fill, args=(half,)) for half in (slice(side // 2), slice(side // 2, None))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+
+
 def emptiness(side: int, repeats: int) -> str:
     """What maps without cracks cost: one edge in a corner."""
     corner = cz.PlanarGraph([[0.0, 0.0], [0.01, 0.01]], [[0, 1]])
@@ -241,6 +258,7 @@ def rows(side: int, edges: int, repeats: int) -> list[str]:
     gain = {name: ours[name, 1] / ours[name, 2] for name in ("mask", "six")}
     memory = seconds(lambda: written(side), repeats)
     lines = [head, f"  two threads gain: mask {gain['mask']:.2f}, six {gain['six']:.2f}"]
+    lines[1] += f", writing as many bytes as six {memory / seconds(lambda: written_by_two(side), repeats):.2f}"
     lines[1] += f"; six / writing as many bytes {ours['six', 1] / memory:.2f} {ours['six', 2] / memory:.2f}"
     peers = {"tiny-skia, cz.render": (lambda: cz.render(crack, side, threads=1), None)}
     for name, (module, make) in PEERS.items():
