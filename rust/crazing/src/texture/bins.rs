@@ -80,12 +80,16 @@ impl Bins {
         Ok(bins)
     }
 
+    /// The column or row of a place. Sides are powers of two, and a shift is many times faster than a division.
+    #[inline(always)]
+    fn along(&self, axis: usize, value: i64) -> i64 {
+        (value - self.corner[axis]) >> (self.side * UNIT).trailing_zeros()
+    }
+
     /// Calls back for every bin that the piece may reach into.
     fn each(&mut self, piece: &Piece, mut call: impl FnMut(&mut Self, usize)) {
         let region = piece.region();
-        let bin = |axis: usize, value: i64, count: i64| {
-            (value - self.corner[axis]).div_euclid(self.side * UNIT).clamp(-1, count)
-        };
+        let bin = |axis: usize, value: i64, count: i64| self.along(axis, value).clamp(-1, count);
         let (first, last) =
             (bin(0, region[0], self.columns).max(0), bin(0, region[2], self.columns).min(self.columns - 1));
         let (top, bottom) = (bin(1, region[1], self.rows).max(0), bin(1, region[3], self.rows).min(self.rows - 1));
@@ -98,7 +102,7 @@ impl Bins {
 
     /// The bins that a square of `side` pixels lies in: first column, first row, last column, last row.
     pub(super) fn of(&self, corner: [i64; 2], side: i64) -> [i64; 4] {
-        let bin = |axis: usize, by: i64| (corner[axis] + by - self.corner[axis]).div_euclid(self.side * UNIT);
+        let bin = |axis: usize, by: i64| self.along(axis, corner[axis] + by);
         let last = side * UNIT - 1;
         [bin(0, 0), bin(1, 0), bin(0, last), bin(1, last)]
     }
