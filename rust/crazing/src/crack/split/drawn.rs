@@ -121,7 +121,10 @@ fn sorted<T: Copy + Sync + Send>(rows: &[T], order: &[u32]) -> Vec<T> {
 
 /// The part of a polygon that all its sides see, but for rounding.
 fn kernel(ring: &[Point]) -> Vec<Point> {
-    let mut seen = ring.to_vec();
+    let [low, high] =
+        [f64::min, f64::max].map(|of| [0, 1].map(|axis| ring.iter().map(|p| p[axis]).fold(ring[0][axis], of)));
+    // From the box around it on: a cell may have many corners, the place that all see hardly has.
+    let mut seen = vec![low, [high[0], low[1]], high, [low[0], high[1]]];
     let mut part = Vec::new();
     for (&p, &q) in ring.iter().zip(ring.iter().cycle().skip(1)) {
         let height = |r: Point| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
@@ -137,6 +140,9 @@ fn kernel(ring: &[Point]) -> Vec<Point> {
             }
         }
         std::mem::swap(&mut seen, &mut part);
+        if seen.is_empty() {
+            break;
+        }
     }
     seen
 }
