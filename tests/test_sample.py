@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import inspect
+import os
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -148,6 +151,69 @@ def test_poisson_disks_keep_their_distance_and_leave_no_room(period) -> None:
     np.testing.assert_array_equal(points, cz.sample.poisson_disk(radius, bounds=(0, 0, 1, 2), period=period, rng=3))
     if period is None:
         assert len(points) * radius**2 / 2 == pytest.approx(0.7, abs=0.05)
+
+
+def test_many_poisson_disks_are_like_few() -> None:
+    """Few on a torus are made in one piece, many by tiles: no law may tell them apart, nor where tiles met."""
+    rng = np.random.default_rng(1)
+    few = [measured(cz.sample.poisson_disk(1, period=(78, 78), rng=seed), 78, rng) for seed in range(40)]
+    many = [measured(cz.sample.poisson_disk(1, period=(390, 390), rng=seed), 390, rng) for seed in range(2)]
+    # Density, mean distance to the nearest, and the share of places farther than a radius from all.
+    for one, other, tolerance in zip(np.mean(few, axis=0), np.mean(many, axis=0), (2e-3, 1e-3, 2.5e-4), strict=True):
+        assert other == pytest.approx(one, abs=tolerance)
+
+
+def measured(points, side: float, rng: np.random.Generator) -> tuple[float, float, float]:
+    tree = cKDTree(points, boxsize=side)
+    holes = tree.query(side * rng.random((10 * len(points), 2)))[0] > 1
+    return len(points) / side**2, tree.query(points, k=2)[0][:, 1].mean(), holes.mean()
+
+
+def test_no_border_of_a_tile_shows() -> None:
+    side = 390
+    to_border, holes = [], []
+    # As many cells as the radius asks for, and tiles of about 32 of them, even in number.
+    cells = int(np.ceil(side * np.sqrt(2)))
+    tiles = 2 * np.ceil(cells // 32 / 2)
+    borders = np.ceil(np.arange(tiles + 1) * cells / tiles) / cells * side
+    for seed in range(4):
+        points = cz.sample.poisson_disk(1, period=(side, side), rng=seed)
+        to_border.append(np.abs(points[:, :, None] - borders).min(axis=2).ravel())
+        places = side * np.random.default_rng(seed).random((200_000, 2))
+        far = cKDTree(points, boxsize=side).query(places)[0] > 1
+        holes.append([far[np.abs(places[:, :, None] - borders).min(axis=(1, 2)) < 2].mean(), far.mean()])
+    # How many lie so far from the nearest border, against an even spread: disks are more even than chance.
+    counts = np.histogram(np.concatenate(to_border), bins=np.arange(0, 8.5, 0.5))[0]
+    even = len(np.concatenate(to_border)) * len(borders[1:]) * 2 * 0.5 / side
+    assert np.abs(counts / even - 1).max() < 4 / np.sqrt(even)
+    near, everywhere = np.mean(holes, axis=0)
+    assert near == pytest.approx(everywhere, abs=2.5e-4)
+
+
+@pytest.mark.parametrize(
+    ("width", "height"), [(150.0, 130.0), (500.0, 60.0), (500.0, 40.0), (2000.0, 10.0), (3000.0, 5.0)]
+)
+@pytest.mark.parametrize("on_torus", [False, True])
+def test_many_poisson_disks_keep_their_distance(width: float, height: float, on_torus: bool) -> None:
+    box = np.array((width, height))
+    where = {"period": box} if on_torus else {"bounds": (0, 0, *box)}
+    points = cz.sample.poisson_disk(1, rng=7, **where)
+    tree = cKDTree(points, boxsize=box if on_torus else None)
+    assert tree.query(points, k=2)[0][:, 1].min() >= 1 - 1e-12
+    assert ((points >= 0) & (points <= box)).all()
+    assert (tree.query(np.random.default_rng(1).random((20_000, 2)) * box)[0] > 1).mean() < 0.01
+
+
+def test_many_poisson_disks_are_the_same_for_any_number_of_threads() -> None:
+    points = "cz.sample.poisson_disk(4e-3, rng=3)"
+    program = f"import hashlib, crazing as cz; print(hashlib.sha256({points}.tobytes()).hexdigest())"
+    found = set()
+    for threads in "123":
+        environment = {**os.environ, "RAYON_NUM_THREADS": threads}
+        run = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True)
+        assert run.returncode == 0, run.stderr
+        found.add(run.stdout)
+    assert len(found) == 1
 
 
 @pytest.mark.parametrize("radius", [0, -1, np.nan, 1e-9, "far"])

@@ -79,12 +79,13 @@ pub fn open_unit(word: u64) -> f64 {
 
 /// The words of one stream in turn.
 ///
-/// Block `b` is at counter `[b, 0, stream, 0]`: the first word counts, the third separates the purposes. The other
-/// two stay free for those that need one block an item or a tile.
+/// Block `b` of an item is at counter `[b, item, stream, 0]`: the first word counts, the second separates things of one
+/// purpose, such as tiles, the third the purposes. The last stays free.
 #[derive(Debug, Clone)]
 pub struct Rng {
     key: Key,
     stream: u64,
+    item: u64,
     next_block: u64,
     words: [u64; 4],
     /// 32-bit halves of `words` already given away.
@@ -96,7 +97,12 @@ const HALVES: usize = 8;
 impl Rng {
     /// The start of `stream` under `key`.
     pub fn new(key: Key, stream: u64) -> Self {
-        Self { key, stream, next_block: 0, words: [0; 4], used: HALVES }
+        Self::of_item(key, stream, 0)
+    }
+
+    /// The start of an item's own words of `stream`; those of item 0 are what [`Rng::new`] gives.
+    pub fn of_item(key: Key, stream: u64, item: u64) -> Self {
+        Self { key, stream, item, next_block: 0, words: [0; 4], used: HALVES }
     }
 
     /// 64 random bits. Passes over the second half of a word of which [`Rng::next_u32`] gave the first.
@@ -146,7 +152,7 @@ impl Rng {
     #[inline]
     fn refill_if_empty(&mut self) {
         if self.used == HALVES {
-            self.words = block(self.key, [self.next_block, 0, self.stream, 0]);
+            self.words = block(self.key, [self.next_block, self.item, self.stream, 0]);
             self.next_block = self.next_block.wrapping_add(1);
             self.used = 0;
         }

@@ -27,6 +27,13 @@ fn words_are_the_blocks_in_turn() {
 }
 
 #[test]
+fn an_item_has_words_of_its_own() {
+    let mut rng = Rng::of_item([5, 6], stream::POISSON_DISK, 7);
+    let words: Vec<u64> = (0..8).map(|_| rng.next_u64()).collect();
+    assert_eq!(words, [0, 1].map(|i| block([5, 6], [i, 7, stream::POISSON_DISK, 0])).concat());
+}
+
+#[test]
 fn halves_are_the_lower_then_the_upper() {
     let (mut halves, mut words) = (Rng::new([1, 2], 3), Rng::new([1, 2], 3));
     for _ in 0..9 {
