@@ -1,7 +1,7 @@
 //! The cracks of a mesh as a drawing.
 
 use super::measure;
-use super::mesh::Mesh;
+use super::mesh::{Mesh, TOGETHER};
 use crate::crack::aged::Aged;
 use crate::crack::fence::Fence;
 use crate::crack::net::{NONE, Net};
@@ -11,20 +11,21 @@ use crate::predicates::orientation;
 
 impl Mesh {
     /// The cracks, without the outline.
-    pub(super) fn finish(self) -> Aged {
-        // One after the other on a thread of its own: which vertex is new depends on all that came before.
-        let middles = || (0..self.cells.len()).map(|cell| self.middle(cell)).collect::<Vec<_>>();
-        let (middles, (order, number)) = parallel::join(self.walls.len(), middles, || self.numbered());
-        let mut cut = vec![false; order.len()];
-        for end in self.border.iter().flat_map(|&[a, b, ..]| [a, b]) {
-            if let Some(cut) = cut.get_mut(number[end as usize] as usize) {
+    pub(super) fn finish(mut self) -> Aged {
+        self.settle();
+        // The others on a thread of its own, one after the other: which vertex is new depends on all that came before.
+        let (middles, (vertices, number)) = parallel::join(self.walls.len(), || self.middles(), || self.numbered());
+        let mut cut = vec![false; vertices.len()];
+        for end in self.border.iter().flatten() {
+            if let Some(cut) = cut.get_mut(number[*end as usize] as usize) {
                 *cut = true;
             }
         }
-        let apexes = if self.shifts.is_empty() { Vec::new() } else { self.apex_shifts(&middles) };
-        let Self { points, walls: mut kites, partners, ages, shifts, period, .. } = self;
-        let vertices = parallel::map(order.len(), |i| points[order[i] as usize]);
-        drop((points, order));
+        let is_torus = self.period[0] > 0.0;
+        let shifts =
+            if is_torus { parallel::map(self.walls.len(), |k| self.corners.walls[2 * k].shift) } else { Vec::new() };
+        let apexes = if is_torus { self.apex_shifts(&shifts, &middles) } else { Vec::new() };
+        let Self { corners, walls: mut edges, partners, ages, period, .. } = self;
         let mut anchors = Vec::with_capacity(middles.len());
         let anchor = |middle: Option<Point>| {
             let Some(middle) = middle else { return NONE };
@@ -32,11 +33,12 @@ impl Mesh {
             (vertices.len() + anchors.len()) as i32 - 1
         };
         let anchor: Vec<i32> = middles.into_iter().map(anchor).collect();
-        parallel::alter(&mut kites, |kite| {
-            let [a, b, left, right] = kite.map(|x| x as usize);
-            *kite = [number[a], number[b], anchor[left], anchor[right]];
+        parallel::alter(&mut edges, |ends| *ends = ends.map(|end| number[end as usize]));
+        let kites = parallel::map(edges.len(), |k| {
+            let ([a, b], [left, right]) =
+                (edges[k], [0, 1].map(|side| anchor[corners.walls[2 * k + side].cell as usize]));
+            [a, b, left, right]
         });
-        let edges = parallel::map(kites.len(), |k| [kites[k][0], kites[k][1]]);
         let net = Net { vertices, edges, shifts, period, cut };
         let fence = Fence { anchors, kites, shifts: apexes };
         Aged { net, fence, partner: partners.into_flattened(), age: ages }
@@ -44,16 +46,16 @@ impl Mesh {
 
     /// The vertices in the order in which walls come to them, and for each vertex its place there; -1 for corners of the
     /// bounds, to which none comes.
-    fn numbered(&self) -> (Vec<i32>, Vec<i32>) {
-        let mut number = vec![NONE; self.points.len()];
-        let mut order = Vec::with_capacity(self.points.len());
-        for end in self.walls.iter().flat_map(|&[a, b, ..]| [a, b]) {
+    fn numbered(&self) -> (Vec<Point>, Vec<i32>) {
+        let mut number = vec![NONE; self.count];
+        let mut vertices = Vec::with_capacity(self.count);
+        for (&end, corner) in self.walls.as_flattened().iter().zip(&self.corners.walls) {
             if number[end as usize] == NONE {
-                number[end as usize] = order.len() as i32;
-                order.push(end);
+                number[end as usize] = vertices.len() as i32;
+                vertices.push(corner.at);
             }
         }
-        (order, number)
+        (vertices, number)
     }
 
     /// The middle of a cell if all its walls see it.
@@ -63,19 +65,34 @@ impl Mesh {
         self.ring(cell).zip(next).all(|(p, q)| orientation(p, q, middle) > 1e-9 * area).then_some(middle)
     }
 
-    /// Periods between the first end of each wall and its other end, its left anchor, and its right anchor.
-    fn apex_shifts(&self, middles: &[Option<Point>]) -> Vec<[i8; 6]> {
-        let mut shifts = parallel::map(self.shifts.len(), |k| {
-            let [x, y] = self.shifts[k];
-            [x, y, 0, 0, 0, 0]
+    /// The middles of all cells.
+    fn middles(&self) -> Vec<Option<Point>> {
+        let mut middles = vec![None; self.firsts.len()];
+        parallel::fill(&mut middles, |range, middles| {
+            for (start, middles) in range.step_by(TOGETHER).zip(middles.chunks_mut(TOGETHER)) {
+                self.fetch(start..start + middles.len());
+                middles.iter_mut().enumerate().for_each(|(i, slot)| *slot = self.middle(start + i));
+            }
         });
-        for cell in (0..self.cells.len()).filter(|&cell| middles[cell].is_some()) {
-            for (corner, turn) in self.turns(cell) {
-                let (k, side) = (corner.half as usize / 2, corner.half as usize % 2);
-                let turn = [0, 1].map(|i| if side == 0 { turn[i] } else { turn[i] - i32::from(self.shifts[k][i]) });
-                [shifts[k][2 + 2 * side], shifts[k][3 + 2 * side]] = turn.map(|x| -x as i8);
+        middles
+    }
+
+    /// Periods between the first end of each wall and its other end, its left anchor, and its right anchor.
+    fn apex_shifts(&self, shifts: &[[i8; 2]], middles: &[Option<Point>]) -> Vec<[i8; 6]> {
+        let mut apexes = parallel::map(shifts.len(), |k| [shifts[k][0], shifts[k][1], 0, 0, 0, 0]);
+        for cell in 0..middles.len() {
+            if cell % TOGETHER == 0 {
+                self.fetch(cell..middles.len());
+            }
+            if middles[cell].is_none() {
+                continue;
+            }
+            for (half, _, turn) in self.turns(cell) {
+                let (k, side) = (half as usize / 2, half as usize % 2);
+                let turn = [0, 1].map(|i| if side == 0 { turn[i] } else { turn[i] - i32::from(shifts[k][i]) });
+                [apexes[k][2 + 2 * side], apexes[k][3 + 2 * side]] = turn.map(|x| -x as i8);
             }
         }
-        shifts
+        apexes
     }
 }
