@@ -77,6 +77,13 @@ pub fn open_unit(word: u64) -> f64 {
     f64::from_bits(0x3ff0_0000_0000_0000 | (word >> 12)) - BELOW_ONE
 }
 
+/// A word as a multiple of 2^-53 in [0, 1).
+#[inline]
+pub fn unit(word: u64) -> f64 {
+    const STEP: f64 = 1.0 / (1_u64 << 53) as f64;
+    (word >> 11) as f64 * STEP
+}
+
 /// The words of one stream in turn.
 ///
 /// Block `b` of an item is at counter `[b, item, stream, 0]`: the first word counts, the second separates things of one
@@ -145,8 +152,7 @@ impl Rng {
     /// A multiple of 2^-53 in [0, 1).
     #[inline]
     pub fn unit(&mut self) -> f64 {
-        const STEP: f64 = 1.0 / (1_u64 << 53) as f64;
-        (self.next_u64() >> 11) as f64 * STEP
+        unit(self.next_u64())
     }
 
     #[inline]

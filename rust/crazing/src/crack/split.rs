@@ -2,9 +2,10 @@
 
 mod band;
 mod chord;
+mod corners;
 mod drawn;
+mod draws;
 mod founders;
-mod lists;
 mod mesh;
 mod queue;
 
@@ -17,12 +18,15 @@ use crate::rng::{Key, Rng, stream};
 use crate::sample::Density;
 use crate::watch::Watch;
 use chord::Outline;
+use draws::Draws;
 use founders::Founders;
-use mesh::Mesh;
+use mesh::{Mesh, TOGETHER};
 use queue::Queue;
 
 /// On a torus the first cells meet themselves: where a wall would join a side to itself another is tried, so often.
 const AGAIN: usize = 32;
+/// From here on walls are numbered that are no cracks, the outline of the bounds.
+const BORDER: u32 = 1 << 30;
 
 /// How cells are split.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,28 +75,32 @@ pub fn split(
         Mesh::of_box(bounds)
     };
     let mut queue = Queue::new();
-    let enqueue = |mesh: &Mesh, cell: usize, rng: &mut Rng, queue: &mut Queue| {
-        let (area, middle) = measure(mesh.ring(cell));
-        let weight = density.map_or(1.0, |density| density.at(middle));
-        let chance = libm::exp(how.jitter * normal(rng));
-        queue.push(area * weight * chance, cell);
+    let mut draws = Draws::of(rng);
+    let enqueue = |mesh: &Mesh, cell: usize, draws: &mut Draws, queue: &mut Queue| {
+        let size = match density {
+            Some(density) => {
+                let (area, middle) = measure(mesh.ring(cell));
+                area * density.at(middle)
+            }
+            None => area(mesh.ring(cell)),
+        };
+        queue.push(size * libm::exp(how.jitter * draws.normal()), cell);
     };
-    for cell in 0..mesh.cells.len() {
-        enqueue(&mesh, cell, &mut rng, &mut queue);
-    }
+    enqueue(&mesh, 0, &mut draws, &mut queue);
     let attempts = if on_torus { AGAIN } else { 1 };
     let mut outline = Outline::default();
-    while mesh.cells.len() < how.cells {
-        watch.poll_at(mesh.cells.len())?;
+    while mesh.firsts.len() < how.cells {
+        watch.poll_at(mesh.firsts.len())?;
+        mesh.fetch(queue.ahead(TOGETHER));
         let Some(cell) = queue.pop() else { break };
-        if let Some(wall) = (0..attempts).find_map(|_| chord::across(&mesh, cell, how, &mut rng, &mut outline)) {
-            let other = mesh.divide(cell, &wall);
-            enqueue(&mesh, cell, &mut rng, &mut queue);
-            enqueue(&mesh, other, &mut rng, &mut queue);
+        if let Some(wall) = (0..attempts).find_map(|_| chord::across(&mesh, cell, how, &mut draws, &mut outline)) {
+            let other = mesh.divide(cell, &wall, &outline);
+            enqueue(&mesh, cell, &mut draws, &mut queue);
+            enqueue(&mesh, other, &mut draws, &mut queue);
         }
     }
     // Of a long torus no cell may be found that a wall can part: better nothing than a few cells for thousands.
-    if on_torus && 2 * mesh.cells.len() < how.cells {
+    if on_torus && 2 * mesh.firsts.len() < how.cells {
         let sides = [bounds[2] - bounds[0], bounds[3] - bounds[1]];
         let value = sides[0].max(sides[1]) / sides[0].min(sides[1]);
         let wanted = "a period that is less long for its width is wanted: its cells cannot be split";
@@ -103,6 +111,18 @@ pub fn split(
 
 fn normal(rng: &mut Rng) -> f64 {
     quantile::normal(crate::rng::open_unit(rng.next_u64()))
+}
+
+/// The area of a polygon, to the bit that of [`measure`]: there most of the time is for the centroid.
+fn area(mut polygon: impl Iterator<Item = Point>) -> f64 {
+    let Some(origin) = polygon.next() else { return 0.0 };
+    let (mut area, mut p) = (0.0, [0.0; 2]);
+    for corner in polygon {
+        let q = [corner[0] - origin[0], corner[1] - origin[1]];
+        area += (p[0] * q[1] - p[1] * q[0]) / 2.0;
+        p = q;
+    }
+    area
 }
 
 /// Area and centroid of a polygon.

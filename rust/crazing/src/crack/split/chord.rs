@@ -3,11 +3,11 @@
 use std::cmp::Ordering;
 
 use super::band::Band;
-use super::mesh::Mesh;
-use super::{Splitting, moments, normal};
+use super::draws::Draws;
+use super::mesh::{Mesh, Turn};
+use super::{Splitting, moments};
 use crate::graph::Point;
 use crate::predicates::orientation;
-use crate::rng::Rng;
 
 /// Tries to find a wall that ends far from other junctions.
 const TRIES: usize = 6;
@@ -58,11 +58,18 @@ pub(super) struct Outline {
     pub(super) ring: Vec<Point>,
     /// Those where junctions are.
     pub(super) nodes: Vec<Point>,
+    /// The half-edges of the ring, and the periods between where each starts and its vertex.
+    pub(super) sides: Vec<(u32, Turn)>,
     /// For each of the ring, how far it is off a line.
     off: Vec<f64>,
 }
 
 impl Outline {
+    /// Whether two sides are the two faces of one wall.
+    fn are_one(&self, a: usize, b: usize) -> bool {
+        self.sides[a].0 / 2 == self.sides[b].0 / 2
+    }
+
     /// Distance from a place to the nearest junction.
     fn gap(&self, at: Point) -> f64 {
         let square = |p: &Point| (p[0] - at[0]) * (p[0] - at[0]) + (p[1] - at[1]) * (p[1] - at[1]);
@@ -71,23 +78,29 @@ impl Outline {
 }
 
 /// A wall through the middle of a cell, across its long axis; None where no wall fits.
-pub(super) fn across(mesh: &Mesh, cell: usize, how: Splitting, rng: &mut Rng, outline: &mut Outline) -> Option<Wall> {
+pub(super) fn across(
+    mesh: &Mesh,
+    cell: usize,
+    how: Splitting,
+    draws: &mut Draws,
+    outline: &mut Outline,
+) -> Option<Wall> {
     mesh.lay_out(cell, outline);
     let (area, middle, spread) = moments(&outline.ring);
     if area <= 0.0 || !area.is_finite() {
         return None;
     }
     let size = area.sqrt();
-    let along = long_axis(spread, how, rng);
+    let along = long_axis(spread, how, draws);
     let mut best: Option<(f64, Wall)> = None;
     for _ in 0..TRIES {
-        let (off, turn) = (OFF * size * normal(rng), TURN * normal(rng));
+        let (off, turn) = (OFF * size * draws.normal(), TURN * draws.normal());
         let from = [middle[0] + off * along[0], middle[1] + off * along[1]];
         let (sin, cos) = (libm::sin(turn), libm::cos(turn));
         let way = [-(sin * along[0] + cos * along[1]), cos * along[0] - sin * along[1]];
         let Some([a, b]) = hits(outline, from, way) else { continue };
         let gap = outline.gap(a.at).min(outline.gap(b.at)) / size;
-        if best.as_ref().is_some_and(|(most, _)| gap <= *most) || mesh.same_edge(cell, a.side, b.side) {
+        if best.as_ref().is_some_and(|(most, _)| gap <= *most) || outline.are_one(a.side, b.side) {
             continue;
         }
         if let Some(line) = bent(&outline.ring, [a, b], how.bend) {
@@ -101,7 +114,7 @@ pub(super) fn across(mesh: &Mesh, cell: usize, how: Splitting, rng: &mut Rng, ou
 }
 
 /// Unit vector along the cell's long axis, as it is when the direction of anisotropy is shrunk.
-fn long_axis([xx, xy, yy]: [f64; 3], how: Splitting, rng: &mut Rng) -> Point {
+fn long_axis([xx, xy, yy]: [f64; 3], how: Splitting, draws: &mut Draws) -> Point {
     let (sin, cos) = (libm::sin(how.angle), libm::cos(how.angle));
     // In the frame of the anisotropy.
     let a = (xx * cos * cos + 2.0 * xy * sin * cos + yy * sin * sin) / (how.anisotropy * how.anisotropy);
@@ -110,7 +123,7 @@ fn long_axis([xx, xy, yy]: [f64; 3], how: Splitting, rng: &mut Rng) -> Point {
     let half = 0.5 * libm::atan2(2.0 * b, a - c);
     // A cell as wide as long has no long axis.
     let round = libm::hypot(a - c, 2.0 * b) < 0.05 * (a + c);
-    let half = if round { std::f64::consts::PI * rng.unit() } else { half };
+    let half = if round { std::f64::consts::PI * draws.unit() } else { half };
     // The normal of the wall is what is stretched back: a wall lies across the axis in the shrunken frame.
     let (u, v) = (libm::cos(half) / how.anisotropy, libm::sin(half));
     let length = libm::hypot(u, v);
@@ -199,6 +212,13 @@ pub(super) fn curve(ring: &[Point], [a, b]: [Hit; 2], bend: f64) -> Line {
 fn fits(ring: &[Point], [a, b]: [Hit; 2], points: &[Point]) -> bool {
     let last = points.len() - 2;
     let clears = |side: usize, p: Point, q: Point| {
+        // Most often all is on the inner side of where the wall starts or ends, and has nothing in common with it.
+        if side == a.side && points[1..].iter().all(|&r| orientation(p, q, r) > 0.0) {
+            return true;
+        }
+        if side == b.side && points[..=last].iter().all(|&r| orientation(p, q, r) > 0.0) {
+            return true;
+        }
         points.windows(2).enumerate().all(|(i, piece)| {
             // At the sides it joins the wall must stay on the inner side.
             if side == a.side && i == 0 {

@@ -1,7 +1,7 @@
 //! The cracks of a mesh as a drawing.
 
 use super::measure;
-use super::mesh::Mesh;
+use super::mesh::{Mesh, TOGETHER};
 use crate::crack::aged::Aged;
 use crate::crack::fence::Fence;
 use crate::crack::net::{NONE, Net};
@@ -14,20 +14,21 @@ use crate::predicates::orientation;
 impl Mesh {
     /// The cracks, without the outline: walls that are near each other stand together, cells having been split in no
     /// order of place.
-    pub(super) fn finish(self) -> Aged {
-        let middles = parallel::map(self.cells.len(), |cell| self.middle(cell));
+    pub(super) fn finish(mut self) -> Aged {
+        self.settle();
+        let middles = self.middles();
         let sequence = self.in_order(&middles);
         // One after the other on a thread of its own: which vertex is new depends on all that came before.
-        let (place, (order, number)) =
+        let (place, (vertices, number)) =
             parallel::join(sequence.len(), || inverse(&sequence), || self.numbered(&sequence));
-        let mut cut = vec![false; order.len()];
-        for end in self.border.iter().flat_map(|&[a, b, ..]| [a, b]) {
-            if let Some(cut) = cut.get_mut(number[end as usize] as usize) {
+        let mut cut = vec![false; vertices.len()];
+        for end in self.border.iter().flatten() {
+            if let Some(cut) = cut.get_mut(number[*end as usize] as usize) {
                 *cut = true;
             }
         }
-        let apexes = if self.shifts.is_empty() { Vec::new() } else { self.apex_shifts(&middles) };
-        let vertices = parallel::map(order.len(), |i| self.points[order[i] as usize]);
+        let is_torus = self.period[0] > 0.0;
+        let apexes = if is_torus { self.apex_shifts(&middles) } else { Vec::new() };
         let mut anchors = Vec::with_capacity(middles.len());
         let anchor = |middle: Option<Point>| {
             let Some(middle) = middle else { return NONE };
@@ -35,46 +36,47 @@ impl Mesh {
             (vertices.len() + anchors.len()) as i32 - 1
         };
         let anchor: Vec<i32> = middles.into_iter().map(anchor).collect();
-        let kites = parallel::map(sequence.len(), |k| {
-            let [a, b, left, right] = self.walls[sequence[k] as usize].map(|x| x as usize);
-            [number[a], number[b], anchor[left], anchor[right]]
+        let kites = parallel::map(sequence.len(), |i| {
+            let k = sequence[i] as usize;
+            let [a, b] = self.walls[k].map(|end| number[end as usize]);
+            let [left, right] = [0, 1].map(|side| anchor[self.corners.walls[2 * k + side].cell as usize]);
+            [a, b, left, right]
         });
         let of_end = |end: i32| if end == NONE { NONE } else { 2 * place[end as usize / 2] as i32 + end % 2 };
         let partner =
             parallel::map(2 * sequence.len(), |end| of_end(self.partners[sequence[end / 2] as usize][end % 2]));
         let edges = parallel::map(kites.len(), |k| [kites[k][0], kites[k][1]]);
-        let net = Net { vertices, edges, shifts: sorted(&self.shifts, &sequence), period: self.period, cut };
-        let fence = Fence { anchors, kites, shifts: sorted(&apexes, &sequence) };
-        Aged { net, fence, partner, age: sorted(&self.ages, &sequence) }
+        let shifts = sorted(&apexes, &sequence);
+        let crossed = parallel::map(shifts.len(), |k| [shifts[k][0], shifts[k][1]]);
+        let net = Net { vertices, edges, shifts: crossed, period: self.period, cut };
+        Aged { net, fence: Fence { anchors, kites, shifts }, partner, age: sorted(&self.ages, &sequence) }
     }
 
     /// The walls cell by cell, along a curve through their middles.
     fn in_order(&self, middles: &[Option<Point>]) -> Vec<u32> {
-        let start = |cell: usize| self.cells.list(cell)[0].at;
+        let start = |cell: usize| self.corners.get(self.firsts[cell]).at;
         let curve = curve_order(&parallel::map(middles.len(), |cell| middles[cell].unwrap_or_else(|| start(cell))));
         let rank = inverse(&curve);
         let first = parallel::map(self.walls.len(), |k| {
-            let [_, _, left, right] = self.walls[k];
-            [rank[left as usize].min(rank[right as usize]) as i32]
+            let [left, right] = [0, 1].map(|side| rank[self.corners.walls[2 * k + side].cell as usize]);
+            [left.min(right) as i32]
         });
         Incidence::of(middles.len(), &first).into_rows()
     }
 
     /// The vertices in the order in which walls come to them, and for each vertex its place there; -1 for corners of the
     /// bounds, to which none comes.
-    fn numbered(&self, sequence: &[u32]) -> (Vec<i32>, Vec<i32>) {
-        let mut number = vec![NONE; self.points.len()];
-        let mut order = Vec::with_capacity(self.points.len());
-        for &k in sequence {
-            let [a, b, ..] = self.walls[k as usize];
-            for end in [a, b] {
-                if number[end as usize] == NONE {
-                    number[end as usize] = order.len() as i32;
-                    order.push(end);
-                }
+    fn numbered(&self, sequence: &[u32]) -> (Vec<Point>, Vec<i32>) {
+        let mut number = vec![NONE; self.count];
+        let mut vertices = Vec::with_capacity(self.count);
+        for half in sequence.iter().flat_map(|&k| [2 * k as usize, 2 * k as usize + 1]) {
+            let end = self.walls[half / 2][half % 2] as usize;
+            if number[end] == NONE {
+                number[end] = vertices.len() as i32;
+                vertices.push(self.corners.walls[half].at);
             }
         }
-        (order, number)
+        (vertices, number)
     }
 
     /// The middle of a cell, or of the part of it that all its walls see; none if there is no such part.
@@ -90,20 +92,36 @@ impl Mesh {
         })
     }
 
+    /// The middles of all cells.
+    fn middles(&self) -> Vec<Option<Point>> {
+        let mut middles = vec![None; self.firsts.len()];
+        parallel::fill(&mut middles, |range, middles| {
+            for (start, middles) in range.step_by(TOGETHER).zip(middles.chunks_mut(TOGETHER)) {
+                self.fetch(start..start + middles.len());
+                middles.iter_mut().enumerate().for_each(|(i, slot)| *slot = self.middle(start + i));
+            }
+        });
+        middles
+    }
+
     /// Periods between the first end of each wall and its other end, its left anchor, and its right anchor.
     fn apex_shifts(&self, middles: &[Option<Point>]) -> Vec<[i8; 6]> {
-        let mut shifts = parallel::map(self.shifts.len(), |k| {
-            let [x, y] = self.shifts[k];
-            [x, y, 0, 0, 0, 0]
-        });
-        for cell in (0..self.cells.len()).filter(|&cell| middles[cell].is_some()) {
-            for (corner, turn) in self.turns(cell) {
-                let (k, side) = (corner.half as usize / 2, corner.half as usize % 2);
-                let turn = [0, 1].map(|i| if side == 0 { turn[i] } else { turn[i] - i32::from(self.shifts[k][i]) });
-                [shifts[k][2 + 2 * side], shifts[k][3 + 2 * side]] = turn.map(|x| -x as i8);
+        let crossed = |k: usize| self.corners.walls[2 * k].shift;
+        let mut apexes = parallel::map(self.walls.len(), |k| [crossed(k)[0], crossed(k)[1], 0, 0, 0, 0]);
+        for cell in 0..middles.len() {
+            if cell % TOGETHER == 0 {
+                self.fetch(cell..middles.len());
+            }
+            if middles[cell].is_none() {
+                continue;
+            }
+            for (half, _, turn) in self.turns(cell) {
+                let (k, side) = (half as usize / 2, half as usize % 2);
+                let turn = [0, 1].map(|i| if side == 0 { turn[i] } else { turn[i] - i32::from(crossed(k)[i]) });
+                [apexes[k][2 + 2 * side], apexes[k][3 + 2 * side]] = turn.map(|x| -x as i8);
             }
         }
-        shifts
+        apexes
     }
 }
 

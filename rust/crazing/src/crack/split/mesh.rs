@@ -3,34 +3,48 @@
 
 use std::ops::Range;
 
+use super::BORDER;
 use super::chord::{Outline, Wall};
+use super::corners::{Corner, Corners};
 use super::founders::Founders;
-use super::lists::{Corner, Lists};
 use crate::clip::Bounds;
 use crate::crack::net::NONE;
 use crate::graph::Point;
 
 pub(super) type Turn = [i32; 2];
 
-/// What of a wall is looked at again and again: its ends, and the cells on its left and on its right, -1 outside.
-pub(super) type Sides = [i32; 4];
+/// So many cells are fetched together: enough for memory to be busy, few enough for the nearest caches.
+pub(super) const TOGETHER: usize = 32;
+/// Corners that most cells have.
+const ROUND: usize = 24;
+/// Walls of which it is put down later that they were parted.
+const LATER: usize = 64;
 
-/// From here on walls are numbered that are no cracks, the outline of the bounds.
-const BORDER: u32 = 1 << 30;
+/// A wall that was parted at a vertex, and what goes on from there.
+struct Parted {
+    wall: u32,
+    vertex: i32,
+    rest: u32,
+}
 
 pub(super) struct Mesh {
-    pub(super) points: Vec<Point>,
-    pub(super) walls: Vec<Sides>,
+    /// How many vertices there are.
+    pub(super) count: usize,
+    pub(super) corners: Corners,
+    /// Of each cell the half-edge from which on it is told.
+    pub(super) firsts: Vec<u32>,
+    /// Vertices at both ends of each wall. These and the next two are right but for what is in `parted`.
+    pub(super) walls: Vec<[i32; 2]>,
     /// For both ends of every wall by which half-edge, written as the end where that starts, its crack goes on; -1 where
     /// it ends.
     pub(super) partners: Vec<[i32; 2]>,
     /// Of the crack of each wall.
     pub(super) ages: Vec<i32>,
-    /// Periods that each wall crosses; empty in the plane.
-    pub(super) shifts: Vec<[i8; 2]>,
-    pub(super) border: Vec<Sides>,
-    /// Counter-clockwise.
-    pub(super) cells: Lists,
+    /// Nobody asks for ends, partners and ages while cells are split: memory answers for many at once.
+    parted: Vec<Parted>,
+    /// Vertices at both ends of each side of the bounds, or part of one.
+    pub(super) border: Vec<[i32; 2]>,
+    /// Zeros in the plane.
     pub(super) period: Point,
     age: i32,
 }
@@ -38,12 +52,16 @@ pub(super) struct Mesh {
 impl Mesh {
     /// One cell, the bounds.
     pub(super) fn of_box([xmin, ymin, xmax, ymax]: Bounds) -> Self {
-        let points = vec![[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]];
-        let corner = |(&at, k): (&Point, u32)| Corner { at, half: 2 * k, shift: [0, 0], is_node: true };
-        let cells = Lists::of(points.iter().zip(BORDER..).map(corner));
-        let border = (0..4).map(|i| [i, (i + 1) % 4, 0, NONE]).collect();
-        let (walls, partners, ages, shifts) = Default::default();
-        Self { points, walls, partners, ages, shifts, border, cells, period: [0.0; 2], age: 0 }
+        let points = [[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]];
+        let mut corners = Corners::default();
+        for at in points {
+            corners.push_like(BORDER, [Corner { at, cell: 0, is_node: true, ..Corner::OUTSIDE }, Corner::OUTSIDE]);
+        }
+        corners.close((BORDER..BORDER + 4).map(|k| 2 * k));
+        let border = (0..4).map(|i| [i, (i + 1) % 4]).collect();
+        let (walls, partners, ages, parted) = Default::default();
+        let firsts = vec![2 * BORDER];
+        Self { count: 4, corners, firsts, walls, partners, ages, parted, border, period: [0.0; 2], age: 0 }
     }
 
     /// One cell, a period of a torus between its founders.
@@ -70,144 +88,175 @@ impl Mesh {
         let corner = |half: u32| {
             let start = ends[half as usize / 2][half as usize % 2] as usize;
             let (shift, is_node) = (along(shifts[half as usize / 2], half), start == 0 || start == Founders::END);
-            Corner { at: points[start], half, shift, is_node }
+            Corner { at: points[start], cell: 0, shift, is_node, ..Corner::OUTSIDE }
         };
-        let cells = Lists::of(outline.map(corner));
-        let walls = ends.iter().map(|&[a, b]| [a as i32, b as i32, 0, 0]).collect();
-        Self { points, walls, partners, ages, shifts, border: Vec::new(), cells, period, age: 2 }
+        let mut corners = Corners::default();
+        for k in 0..ends.len() as u32 {
+            corners.push_like(0, [corner(2 * k), corner(2 * k + 1)]);
+        }
+        corners.close(outline);
+        let walls = ends.iter().map(|ends| ends.map(|end| end as i32)).collect();
+        let (parted, border) = Default::default();
+        Self { count: points.len(), corners, firsts: vec![0], walls, partners, ages, parted, border, period, age: 2 }
     }
 
     #[inline]
     fn moved(&self, p: Point, turn: Turn) -> Point {
+        if turn == [0, 0] {
+            // As below: a zero without a sign.
+            return p.map(|x| x + 0.0);
+        }
         [p[0] + f64::from(turn[0]) * self.period[0], p[1] + f64::from(turn[1]) * self.period[1]]
     }
 
-    /// Of each corner of a cell the periods between its vertex and where the polygon has it.
-    pub(super) fn turns(&self, cell: usize) -> impl Iterator<Item = (&Corner, Turn)> {
-        self.cells.list(cell).iter().scan([0, 0], |turn, corner| {
-            let here = *turn;
-            *turn = [0, 1].map(|i| here[i] + i32::from(corner.shift[i]));
-            Some((corner, here))
+    /// The half-edges around a cell, counter-clockwise, and of each the periods between its vertex and where the polygon
+    /// has it.
+    pub(super) fn turns(&self, cell: usize) -> impl Iterator<Item = (u32, &Corner, Turn)> {
+        let first = self.firsts[cell];
+        let (mut next, mut turn) = (Some(first), [0, 0]);
+        std::iter::from_fn(move || {
+            let (half, here) = (next?, turn);
+            let corner = self.corners.get(half);
+            next = (corner.next != first).then_some(corner.next);
+            if corner.shift != [0, 0] {
+                turn = [0, 1].map(|i| here[i] + i32::from(corner.shift[i]));
+            }
+            Some((half, corner, here))
         })
     }
 
     /// Corners, counter-clockwise; on a torus as one piece.
     pub(super) fn ring(&self, cell: usize) -> impl Iterator<Item = Point> {
-        self.turns(cell).map(|(corner, turn)| self.moved(corner.at, turn))
+        self.turns(cell).map(|(_, corner, turn)| self.moved(corner.at, turn))
     }
 
-    /// The same with the first once more at the end, and the junctions among them.
-    pub(super) fn lay_out(&self, cell: usize, Outline { ring, nodes, .. }: &mut Outline) {
+    /// The same with the first once more at the end, the junctions among them, and the sides.
+    pub(super) fn lay_out(&self, cell: usize, Outline { ring, nodes, sides, .. }: &mut Outline) {
         ring.clear();
-        ring.extend(self.ring(cell));
         nodes.clear();
-        nodes.extend(self.cells.list(cell).iter().zip(&*ring).filter(|(corner, _)| corner.is_node).map(|(_, p)| *p));
+        sides.clear();
+        for (half, corner, turn) in self.turns(cell) {
+            let p = self.moved(corner.at, turn);
+            ring.push(p);
+            sides.push((half, turn));
+            if corner.is_node {
+                nodes.push(p);
+            }
+        }
         ring.extend_from_within(..1);
     }
 
-    /// Whether two sides of a cell are the two faces of one wall.
-    pub(super) fn same_edge(&self, cell: usize, a: usize, b: usize) -> bool {
-        let list = self.cells.list(cell);
-        list[a].half / 2 == list[b].half / 2
+    /// Goes around up to [`TOGETHER`] cells at once, for memory to answer for all of them while it is waited for the
+    /// first: whoever looks at them soon need not wait.
+    pub(super) fn fetch(&self, cells: impl Iterator<Item = usize>) {
+        let mut around = [0; TOGETHER];
+        let mut count = 0;
+        for (half, cell) in around.iter_mut().zip(cells) {
+            *half = self.firsts[cell];
+            count += 1;
+        }
+        for _ in 0..ROUND {
+            for half in &mut around[..count] {
+                *half = self.corners.get(*half).next;
+            }
+        }
+        std::hint::black_box(around);
     }
 
-    fn add_point(&mut self, p: Point) -> i32 {
-        self.points.push(p);
-        self.points.len() as i32 - 1
-    }
-
-    #[inline]
-    fn sides(&mut self, k: u32) -> &mut Sides {
-        if k < BORDER { &mut self.walls[k as usize] } else { &mut self.border[(k - BORDER) as usize] }
-    }
-
-    fn shift(&self, k: u32) -> [i8; 2] {
-        self.shifts.get(k as usize).copied().unwrap_or_default()
-    }
-
-    /// For both sides of a wall where it stands in the list of the cell there.
-    fn spots(&mut self, k: u32) -> [usize; 2] {
-        let [_, _, left, right] = *self.sides(k);
-        let spot = |cell: i32, half: u32| if cell == NONE { 0 } else { place(self.cells.list(cell as usize), half) };
-        [spot(left, 2 * k), spot(right, 2 * k + 1)]
+    fn add_vertex(&mut self) -> i32 {
+        self.count += 1;
+        self.count as i32 - 1
     }
 
     /// Parts a wall at a new vertex: the number of its second part.
-    fn part(&mut self, k: u32, vertex: i32) -> u32 {
-        let sides = self.sides(k);
-        let [start, end, left, right] = *sides;
-        *sides = [start, vertex, left, right];
-        let rest = [vertex, end, left, right];
-        if k >= BORDER {
-            self.border.push(rest);
+    fn part(&mut self, wall: u32, vertex: i32) -> u32 {
+        if wall >= BORDER {
+            let [start, end] = self.border[(wall - BORDER) as usize];
+            self.border[(wall - BORDER) as usize] = [start, vertex];
+            self.border.push([vertex, end]);
             return BORDER + self.border.len() as u32 - 1;
         }
-        let more = self.walls.len() as u32;
-        self.walls.push(rest);
-        let k = k as usize;
-        self.ages.push(self.ages[k]);
-        if let Some(shift) = self.shifts.get_mut(k) {
-            let all = std::mem::take(shift);
-            self.shifts.push(all);
+        let rest = self.walls.len() as u32;
+        self.walls.push([vertex, NONE]);
+        self.partners.push([2 * wall as i32 + 1, NONE]);
+        self.ages.push(0);
+        self.parted.push(Parted { wall, vertex, rest });
+        rest
+    }
+
+    /// Puts down what was parted.
+    pub(super) fn settle(&mut self) {
+        for &Parted { wall, vertex, rest } in &self.parted {
+            let (k, more) = (wall as usize, rest as usize);
+            self.ages[more] = self.ages[k];
+            self.walls[more][1] = std::mem::replace(&mut self.walls[k][1], vertex);
+            let after = std::mem::replace(&mut self.partners[k][1], 2 * rest as i32);
+            self.partners[more][1] = after;
+            if after != NONE {
+                self.partners[after as usize / 2][after as usize % 2] = 2 * rest as i32 + 1;
+            }
         }
-        let after = std::mem::replace(&mut self.partners[k][1], 2 * more as i32);
-        self.partners.push([2 * k as i32 + 1, after]);
-        if after != NONE {
-            self.partners[after as usize / 2][after as usize % 2] = 2 * more as i32 + 1;
-        }
-        more
+        self.parted.clear();
     }
 
     /// Puts a junction on a side of a cell, at a place of its polygon: the vertex, the half-edge that leaves it within
-    /// the cell, and the periods between the vertex and the place. `spots` are right unless the lists changed since.
-    fn junction(&mut self, half: u32, turn: Turn, at: Point, spots: [usize; 2]) -> (i32, u32, Turn) {
+    /// the cell, and the periods between the vertex and the place.
+    fn junction(&mut self, (half, turn): (u32, Turn), at: Point) -> (i32, u32, Turn) {
         let (k, side) = (half / 2, half % 2);
-        let shift = self.shift(k);
+        let [left, right] = [2 * k, 2 * k + 1].map(|half| *self.corners.get(half));
         // The frame of the wall's first end.
-        let turn = if side == 0 { turn } else { [0, 1].map(|i| turn[i] - i32::from(shift[i])) };
+        let turn = if side == 0 { turn } else { [0, 1].map(|i| turn[i] - i32::from(left.shift[i])) };
         let at = self.moved(at, turn.map(|x| -x));
-        let vertex = self.add_point(at);
+        let vertex = self.add_vertex();
         let more = self.part(k, vertex);
-        let [_, _, left, right] = *self.sides(k);
+        let corners = &mut self.corners;
         // On the left what goes on is new, on the right what comes first.
-        let changes =
-            [(left, [2 * k, 2 * more], [[0, 0], shift]), (right, [2 * more + 1, 2 * k + 1], [along(shift, 1), [0, 0]])];
-        for (side, (cell, halves, shifts)) in changes.into_iter().enumerate().filter(|(_, change)| change.0 != NONE) {
-            let (cell, half) = (cell as usize, 2 * k + side as u32);
-            let list = self.cells.list_mut(cell);
-            let is_there = list.get(spots[side]).is_some_and(|corner| corner.half == half);
-            let spot = if is_there { spots[side] } else { place(list, half) };
-            (list[spot].half, list[spot].shift) = (halves[0], shifts[0]);
-            self.cells.insert(cell, spot + 1, Corner { at, half: halves[1], shift: shifts[1], is_node: true });
+        let new = Corner { at, is_node: true, is_first: false, ..left };
+        corners.push_like(k, [new, Corner { shift: along(left.shift, 1), ..right }]);
+        corners.get_mut(2 * k).shift = [0, 0];
+        if right.cell != NONE {
+            let corner = corners.get_mut(2 * k + 1);
+            *corner = Corner { at, is_node: true, is_first: false, shift: [0, 0], ..right };
+            corners.link(right.before, 2 * more + 1);
+            corners.link(2 * more + 1, 2 * k + 1);
+            if right.is_first {
+                self.firsts[right.cell as usize] = 2 * more + 1;
+            }
         }
+        // Looked up again: where a wall turns back on itself it has just changed.
+        let next = corners.get(2 * k).next;
+        corners.link(2 * more, next);
+        corners.link(2 * k, 2 * more);
         (vertex, if side == 0 { 2 * more } else { half }, turn)
     }
 
-    /// Splits a cell by a wall; the new cell's number.
-    pub(super) fn divide(&mut self, cell: usize, wall: &Wall) -> usize {
-        let side = |side: usize| self.turns(cell).nth(side).map_or((0, [0, 0]), |(corner, turn)| (corner.half, turn));
-        let [one, two] = wall.sides.map(side);
-        // Both before anything changes: memory answers both at once.
-        let [spots, more] = [one, two].map(|(half, _)| self.spots(half / 2));
+    /// Splits a cell, laid out, by a wall; the new cell's number.
+    pub(super) fn divide(&mut self, cell: usize, wall: &Wall, outline: &Outline) -> usize {
+        if self.parted.len() >= LATER {
+            self.settle();
+        }
+        let [one, two] = wall.sides.map(|side| outline.sides[side]);
         let points = wall.line.points();
         let last = points.len() - 1;
-        let (from, out_of_from, near) = self.junction(one.0, one.1, points[0], spots);
-        let (to, out_of_to, far) = self.junction(two.0, two.1, points[last], more);
-        let other = self.cells.len();
+        let (from, out_of_from, near) = self.junction(one, points[0]);
+        let (to, out_of_to, far) = self.junction(two, points[last]);
+        let other = self.firsts.len();
         let first = self.walls.len() as u32;
         let pieces = first..first + last as u32;
-        let mut before = from;
+        let (mut before, mut start) = (from, self.corners.get(out_of_from).at);
         for (k, &p) in pieces.clone().zip(&points[1..]) {
             let is_last = k + 1 == pieces.end;
-            let after = if is_last { to } else { self.add_point(self.moved(p, near.map(|x| -x))) };
-            self.walls.push([before, after, other as i32, cell as i32]);
+            let after = if is_last { to } else { self.add_vertex() };
+            let end = if is_last { self.corners.get(out_of_to).at } else { self.moved(p, near.map(|x| -x)) };
+            let shift = if is_last { [0, 1].map(|i| (far[i] - near[i]) as i8) } else { [0, 0] };
+            let left = Corner { at: start, cell: other as i32, shift, is_node: k == first, ..Corner::OUTSIDE };
+            let shift = along(shift, 1);
+            let right = Corner { at: end, cell: cell as i32, shift, is_node: is_last, ..Corner::OUTSIDE };
+            self.corners.push_like(k, [left, right]);
+            self.walls.push([before, after]);
             self.partners.push(partners(k, &pieces));
             self.ages.push(self.age);
-            before = after;
-        }
-        if self.period[0] > 0.0 {
-            self.shifts.resize(self.walls.len() - 1, [0, 0]);
-            self.shifts.push([0, 1].map(|i| (far[i] - near[i]) as i8));
+            (before, start) = (after, end);
         }
         self.age += 1;
         self.share(cell, [out_of_from, out_of_to], pieces);
@@ -216,28 +265,29 @@ impl Mesh {
 
     /// Shares the corners of a cell among its two halves: those from the first junction to the second stay.
     fn share(&mut self, cell: usize, [out_of_from, out_of_to]: [u32; 2], pieces: Range<u32>) {
-        let list = self.cells.list_mut(cell);
-        list.rotate_left(place(list, out_of_from));
-        let end = place(list, out_of_to);
-        let corner = |half: u32| {
-            let start = self.walls[half as usize / 2][half as usize % 2] as usize;
-            let shift = self.shifts.get(half as usize / 2).copied().unwrap_or_default();
-            let is_node = half == 2 * pieces.start || half + 1 == 2 * pieces.end;
-            Corner { at: self.points[start], half, shift: along(shift, half), is_node }
-        };
-        let (one, two) = (pieces.clone().rev().map(|k| corner(2 * k + 1)), pieces.clone().map(|k| corner(2 * k)));
-        let other = self.cells.share(cell, end, one, two);
-        for &Corner { half, .. } in self.cells.list(other) {
-            let k = half / 2;
-            let sides = if k < BORDER { &mut self.walls[k as usize] } else { &mut self.border[(k - BORDER) as usize] };
-            sides[2 + half as usize % 2] = other as i32;
+        let (other, corners) = (self.firsts.len(), &mut self.corners);
+        let [into_from, into_to] = [out_of_from, out_of_to].map(|half| corners.get(half).before);
+        let mut half = out_of_to;
+        while half != out_of_from {
+            let corner = corners.get_mut(half);
+            (corner.cell, half) = (other as i32, corner.next);
         }
+        for k in pieces.start..pieces.end - 1 {
+            corners.link(2 * k, 2 * k + 2);
+            corners.link(2 * k + 3, 2 * k + 1);
+        }
+        let (first, last) = (pieces.start, pieces.end - 1);
+        corners.link(into_from, 2 * first);
+        corners.link(2 * last, out_of_to);
+        corners.link(into_to, 2 * last + 1);
+        corners.link(2 * first + 1, out_of_from);
+        corners.get_mut(self.firsts[cell]).is_first = false;
+        for half in [out_of_from, out_of_to] {
+            corners.get_mut(half).is_first = true;
+        }
+        self.firsts[cell] = out_of_from;
+        self.firsts.push(out_of_to);
     }
-}
-
-/// Where a half-edge stands in a list that has it. All of the list is read: what comes next need not wait for it.
-fn place(list: &[Corner], half: u32) -> usize {
-    list.iter().enumerate().fold(0, |found, (i, corner)| if corner.half == half { i } else { found })
 }
 
 /// Periods crossed along a half-edge of a wall that crosses `shift`.

@@ -8,18 +8,22 @@ const BIN_BITS: u32 = 48;
 
 /// The largest first, of equal ones the one with the lowest number.
 ///
-/// Only those of about the largest size are kept in a heap, the others as they come, in bins by size: most never get to
-/// the top, and a heap of all is larger than the fast memory.
+/// Only those of about the largest size are sorted, the others are kept as they come, in bins by size. So most of the
+/// next are known ahead: what is put in among them comes from a heap.
 pub(super) struct Queue {
+    /// The largest last.
+    sorted: Vec<Next>,
     heap: BinaryHeap<Next>,
-    /// The least bin of those in the heap.
+    /// The least bin of those sorted or in the heap.
     least: i64,
     later: BTreeMap<i64, Vec<Next>>,
+    /// So many of those sorted nobody has looked at ahead.
+    unseen: usize,
 }
 
 impl Queue {
     pub(super) fn new() -> Self {
-        Self { heap: BinaryHeap::new(), least: i64::MAX, later: BTreeMap::new() }
+        Self { sorted: Vec::new(), heap: BinaryHeap::new(), least: i64::MAX, later: BTreeMap::new(), unseen: 0 }
     }
 
     pub(super) fn push(&mut self, size: f64, cell: usize) {
@@ -32,11 +36,22 @@ impl Queue {
     }
 
     pub(super) fn pop(&mut self) -> Option<usize> {
-        if self.heap.is_empty() {
-            let (bin, waiting) = self.later.pop_last()?;
-            (self.heap, self.least) = (BinaryHeap::from(waiting), bin);
+        if self.sorted.is_empty() && self.heap.is_empty() {
+            (self.least, self.sorted) = self.later.pop_last()?;
+            self.sorted.sort_unstable();
+            self.unseen = self.sorted.len();
         }
-        self.heap.pop().map(|next| next.cell as usize)
+        // None is less than any.
+        let next = if self.heap.peek() > self.sorted.last() { self.heap.pop() } else { self.sorted.pop() };
+        next.map(|next| next.cell as usize)
+    }
+
+    /// Some of the next, before [`Self::pop`] gives the first of them; each once, and those of the heap never.
+    pub(super) fn ahead(&mut self, count: usize) -> impl Iterator<Item = usize> {
+        let end = self.sorted.len();
+        let seen = if end > self.unseen { 0 } else { count.min(end) };
+        self.unseen = self.unseen.min(end - seen);
+        self.sorted[end - seen..].iter().map(|next| next.cell as usize)
     }
 }
 
@@ -73,6 +88,8 @@ impl Ord for Next {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::HashSet;
+
     use super::*;
     use crate::rng::{Rng, stream};
 
@@ -80,21 +97,26 @@ mod tests {
     fn cells_come_as_from_one_heap() {
         let sizes = [0.0, -0.0, -1.0, 1e-300, f64::INFINITY, f64::NAN, 0.5, 0.5, 0.5, 0.75, 3.0];
         let (mut queue, mut heap, mut rng) = (Queue::new(), BinaryHeap::new(), Rng::new([1, 2], stream::SPLIT));
-        let mut count = 0;
-        for step in 0..20_000 {
+        let (mut ahead, mut count) = (HashSet::new(), 0);
+        let mut pop = |queue: &mut Queue, heap: &mut BinaryHeap<Next>| {
+            for cell in queue.ahead(5) {
+                assert!(heap.iter().any(|next| next.cell as usize == cell) && ahead.insert(cell));
+            }
+            let found = queue.pop();
+            assert_eq!(found, heap.pop().map(|next| next.cell as usize));
+            count += usize::from(found.is_some());
+            found.is_some()
+        };
+        for step in 0..10_000 {
             let size = if step % 7 == 0 { sizes[rng.below(11) as usize] } else { libm::exp(8.0 * rng.unit()) };
             queue.push(size, step);
             heap.push(Next { size, cell: step as u32 });
-            for _ in 0..rng.below(3) {
-                let found = queue.pop();
-                assert_eq!(found, heap.pop().map(|next| next.cell as usize));
-                count += usize::from(found.is_some());
+            // Few at first, then about as many as come.
+            for _ in 0..if step < 5000 { step % 2 } else { rng.below(3) as usize } {
+                pop(&mut queue, &mut heap);
             }
         }
-        while let Some(next) = heap.pop() {
-            assert_eq!(queue.pop(), Some(next.cell as usize));
-        }
-        assert_eq!(queue.pop(), None);
-        assert!(count > 10_000);
+        while pop(&mut queue, &mut heap) {}
+        assert!(count == 10_000 && ahead.len() > 2000, "{count} {}", ahead.len());
     }
 }
