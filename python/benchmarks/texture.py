@@ -14,9 +14,9 @@ from __future__ import annotations
 
 import argparse
 import importlib
-import threading
 import time
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import ModuleType
 
@@ -203,11 +203,8 @@ def written_by_two(side: int, maps: tuple[str, ...] = SIX) -> None:
         for array in found:
             array[half] = 1
 
-    threads = [threading.Thread(target=fill, args=(half,)) for half in (slice(side // 2), slice(side // 2, None))]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(fill, (slice(side // 2), slice(side // 2, None))))
 
 
 def emptiness(side: int, repeats: int) -> str:
