@@ -68,6 +68,8 @@ struct Parting<'a> {
     degrees: Vec<u32>,
     /// Ends, at vertices that cracks pass, whose turns are to be looked at; of a pair the lower one.
     suspects: Vec<u32>,
+    /// Whether an end is one of them, and not as it was when it was last looked at.
+    has_changed: Vec<bool>,
 }
 
 impl<'a> Parting<'a> {
@@ -98,11 +100,13 @@ impl<'a> Parting<'a> {
             stays: vec![true; net.edges.len()],
             degrees: net.degrees(),
             suspects: parallel::compact(partner.len(), |end| (partner[end] > end as i32).then_some(end as u32)),
+            has_changed: vec![false; partner.len()],
         };
         let mut hooks = Vec::new();
         while !parting.suspects.is_empty() {
             for suspects in std::mem::take(&mut parting.suspects).chunks(AT_ONCE) {
                 watch.poll()?;
+                suspects.iter().for_each(|&end| parting.has_changed[end as usize] = false);
                 let found = parallel::ranges(suspects.len(), |range| {
                     suspects[range].iter().filter_map(|&end| parting.hook(end, limit)).collect::<Vec<_>>()
                 });
@@ -112,7 +116,8 @@ impl<'a> Parting<'a> {
             for (step, (_, a, b)) in hooks.drain(..).enumerate() {
                 watch.poll_at(step)?;
                 // A gap that was made since may have left no turn.
-                if parting.partner[a as usize] == b as i32 && parting.cosine(a, b) > limit {
+                let is_one = parting.partner[a as usize] == b as i32;
+                if is_one && (!parting.has_changed[a as usize] || parting.cosine(a, b) > limit) {
                     parting.part(a, b);
                 }
             }
@@ -195,7 +200,7 @@ impl<'a> Parting<'a> {
             let mut left = self.ends.at(vertex).iter().copied().filter(|&end| self.stays[end as usize / 2]);
             if let (2, Some(a), Some(b)) = (self.degrees[vertex], left.next(), left.next()) {
                 [self.partner[a as usize], self.partner[b as usize]] = [b as i32, a as i32];
-                self.suspects.push(a.min(b));
+                self.doubt(a.min(b));
                 [a, b].into_iter().for_each(|end| self.suspect(end));
             }
         }
@@ -206,8 +211,15 @@ impl<'a> Parting<'a> {
         let entries: Vec<u32> = self.along(end, self.farthest).map(|(entry, _)| entry).collect();
         for entry in entries {
             let out = entry ^ 1;
-            self.suspects.extend(u32::try_from(self.partner[out as usize]).map(|other| other.min(out)));
+            if let Ok(other) = u32::try_from(self.partner[out as usize]) {
+                self.doubt(other.min(out));
+            }
         }
+    }
+
+    fn doubt(&mut self, end: u32) {
+        self.suspects.push(end);
+        self.has_changed[end as usize] = true;
     }
 }
 

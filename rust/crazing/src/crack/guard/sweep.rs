@@ -24,11 +24,17 @@ type Seen = Option<(i32, [i8; 2])>;
 struct Around {
     /// Which of the lists is that of a point; the first is none.
     place: Vec<u32>,
-    lists: Vec<Vec<u32>>,
+    /// Where each list starts in `rows`, and the end.
+    starts: Vec<usize>,
+    rows: Vec<u32>,
     asked: usize,
 }
 
 impl Around {
+    fn of_none(points: usize) -> Self {
+        Self { place: vec![0; points], starts: vec![0, 0], rows: Vec::new(), asked: 0 }
+    }
+
     fn learn(&mut self, guard: &Guard<'_>, points: &[u32]) {
         let is_new = |&point: &u32| self.place[point as usize] == 0;
         let mut new: Vec<u32> = points.iter().copied().filter(is_new).collect();
@@ -43,13 +49,15 @@ impl Around {
         new.iter().for_each(|&point| are_these[point as usize] = true);
         let about = guard.kites_about(&new, &are_these);
         for (i, &point) in new.iter().enumerate() {
-            self.place[point as usize] = self.lists.len() as u32;
-            self.lists.push(about.at(i).to_vec());
+            self.place[point as usize] = self.starts.len() as u32 - 1;
+            self.rows.extend_from_slice(about.at(i));
+            self.starts.push(self.rows.len());
         }
     }
 
     fn of(&self, point: u32) -> &[u32] {
-        &self.lists[self.place[point as usize] as usize]
+        let list = self.place[point as usize] as usize;
+        &self.rows[self.starts[list]..self.starts[list + 1]]
     }
 
     /// The rows about each of some points, which are ascending.
@@ -63,7 +71,7 @@ impl Around {
     /// The rows about some points, ascending.
     fn rows(&self, points: &[u32]) -> Vec<u32> {
         let mut rows: Vec<u32> = points.iter().flat_map(|&point| self.of(point)).copied().collect();
-        rows.sort_unstable();
+        parallel::sort(&mut rows);
         rows.dedup();
         rows
     }
@@ -90,7 +98,7 @@ impl Guard<'_> {
         }
         watch.poll()?;
         self.movable = from.len();
-        let mut around = Around { place: vec![0; from.len()], lists: vec![Vec::new()], asked: 0 };
+        let mut around = Around::of_none(from.len());
         let mut moved = self.corners_of(&bad, |_| true);
         around.learn(self, &moved);
         moved.retain(|&corner| {
@@ -134,9 +142,12 @@ impl Guard<'_> {
 
     /// Of some rows those, each once.
     fn keep_bad(&self, rows: &mut Vec<u32>, from: &[Point]) {
-        rows.sort_unstable();
+        parallel::sort(rows);
         rows.dedup();
-        rows.retain(|&row| !self.holds(row as usize, from));
+        let bad = parallel::ranges(rows.len(), |range| {
+            rows[range].iter().copied().filter(|&row| !self.holds(row as usize, from)).collect::<Vec<_>>()
+        });
+        *rows = bad.concat();
     }
 
     /// The corners of some kites that `wanted` names, ascending.
@@ -144,7 +155,7 @@ impl Guard<'_> {
         let corners = rows.iter().flat_map(|&row| self.fence.kites[row as usize]);
         let mut found: Vec<u32> =
             corners.filter(|&corner| corner >= 0 && wanted(corner as usize)).map(|corner| corner as u32).collect();
-        found.sort_unstable();
+        parallel::sort(&mut found);
         found.dedup();
         found
     }
