@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -29,6 +31,22 @@ def root() -> Path:
 def closing_line(record_property: Callable[[str, object], None]) -> Callable[[str], None]:
     """Takes a line to be printed under the Python tests' own report, from whichever worker."""
     return partial(record_property, CLOSING)
+
+
+@pytest.fixture
+def by_threads() -> Callable[[str], set[str]]:
+    """All that a program prints on one, two and three threads, each in a process of its own."""
+
+    def printed(program: str) -> set[str]:
+        found = set()
+        for threads in "123":
+            environment = {**os.environ, "RAYON_NUM_THREADS": threads}
+            run = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True)
+            assert run.returncode == 0, run.stderr
+            found.add(run.stdout)
+        return found
+
+    return printed
 
 
 @pytest.fixture

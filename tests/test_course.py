@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import os
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -106,18 +103,13 @@ def test_widths_do_not_ask_how_edges_are_numbered() -> None:
     np.testing.assert_allclose(one.width[order], other.width, rtol=1e-6, atol=1e-12)
 
 
-def test_threads_change_no_bit() -> None:
+def test_threads_change_no_bit(by_threads) -> None:
     program = (
         "import hashlib, crazing as cz\n"
         "c = cz.preset('painting-italian').replace(n=20_000).crack(rng=3)\n"
         "arrays = c.graph.vertices, c.graph.edges, c.width, c.strand, c.generation, c.parent\n"
         "print(len(c.graph.edges), hashlib.sha256(b''.join(array.tobytes() for array in arrays)).hexdigest())\n"
     )
-    found = set()
-    for threads in "12":
-        environment = {**os.environ, "RAYON_NUM_THREADS": threads}
-        run = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True)
-        assert run.returncode == 0, run.stderr
-        found.add(run.stdout)
+    found = by_threads(program)
     assert len(found) == 1
     assert int(found.pop().split()[0]) > 1 << 15  # Fewer would not be given to threads.

@@ -167,3 +167,34 @@ def test_far_from_the_origin_places_are_numbers_of_single_precision(
     assert (tmp_path / "graph.svg").read_text().count("transform") == 1
     again = cz.sample.from_svg(tmp_path / "graph.svg")
     np.testing.assert_array_equal(np.unique(again, axis=0), np.unique(c.graph.vertices, axis=0))
+
+
+@pytest.mark.parametrize("period", [None, (2, 1)])
+def test_drawings_have_the_size_that_is_asked_for(period, tmp_path):
+    """A cutter takes lengths as they are: those of the file, times what the file says of its units."""
+    crack = cz.crack(preset="glaze", n=40, period=period, bounds=None if period else (1, 2, 3, 3), rng=3)
+    crack.save(tmp_path / "plain.svg")
+    crack.save(tmp_path / "large.svg", millimetres=150)
+    plain, large = (ElementTree.parse(tmp_path / f"{name}.svg").getroot() for name in ("plain", "large"))
+    assert (large.attrib["width"], large.attrib["height"]) == ("300.0mm", "150.0mm")
+    assert not {"width", "height"} & set(plain.attrib)
+    assert large.attrib["viewBox"] == plain.attrib["viewBox"]
+    left, right = ([path.attrib["d"] for path in root.iter(f"{NAME}path")] for root in (plain, large))
+    assert left == right
+    crack.save(tmp_path / "plain.dxf")
+    crack.save(tmp_path / "large.dxf", millimetres=150)
+    plain, large = (ezdxf.readfile(tmp_path / f"{name}.dxf") for name in ("plain", "large"))
+    assert (plain.units, large.units) == (ezdxf.units.InsertUnits.Unitless, ezdxf.units.MM)
+    for lines in zip(plain.modelspace(), large.modelspace(), strict=True):
+        one, other = (np.array(line.get_points("xyse")) for line in lines)
+        np.testing.assert_allclose(other, 150 * one, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("name", "millimetres", "told"),
+    [("a.geojson", 5, "GeoJSON"), ("a.svg", 0, "millimetres is 0"), ("a.dxf", np.nan, "millimetres is nan")],
+)
+def test_a_size_that_cannot_be_is_told(name, millimetres, told, tmp_path):
+    with pytest.raises(ValueError, match=told):
+        cz.crack(n=20, rng=1).save(tmp_path / name, millimetres=millimetres)
+    assert not list(tmp_path.iterdir())

@@ -232,7 +232,7 @@ class Crack(Record):
 
         return plots.crack(self, ax, style=style)
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: str | os.PathLike[str], *, millimetres: float | None = None) -> None:
         """Write the pattern as a drawing, in data units; an existing file is replaced.
 
         A pattern on a torus is drawn over one period: lines that leave it run on beyond its sides.
@@ -247,11 +247,15 @@ class Crack(Record):
             for every strand, with the properties strand, generation, parent (null for none), width (largest), widths
             (one a point), without a reference system. A strand that is still growing, or abuts itself, may be
             several lines.
+        millimetres : float, optional
+            How long a data unit is for a plotter, a cutter or a printer. `.svg` says so by its width and height, its
+            coordinates stay; `.dxf` is in millimetres. By default neither has a size, and programs choose one.
 
         Raises
         ------
         ValueError
-            If the ending is another, or a coordinate or width is not finite, or a width negative.
+            If the ending is another, or a coordinate or width is not finite, or a width negative; if `millimetres` are
+            given for `.geojson`, or out of range.
         OSError
             If the file cannot be written; what stood there before is then untouched.
         ImportError
@@ -270,7 +274,7 @@ class Crack(Record):
         """
         from crazing import vectors
 
-        vectors.save(self, path)
+        vectors.save(self, path, millimetres)
 
     def _repr_png_(self) -> bytes | None:
         from crazing.render import render

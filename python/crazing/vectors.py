@@ -22,6 +22,10 @@ if TYPE_CHECKING:
     from crazing.crack import Crack
 
 
+#: Millimetres of a data unit, far beyond any paper: times a coordinate they are still numbers.
+SMALLEST, LARGEST = 1e-12, 1e12
+
+
 def copies(crack: Crack, places: list[NDArray[np.float64]]) -> Iterator[list[tuple[float, float]]]:
     """How far each of some point sets is to be moved, so that it fills one period of a torus; once in the plane."""
     for points in places:
@@ -34,13 +38,15 @@ def copies(crack: Crack, places: list[NDArray[np.float64]]) -> Iterator[list[tup
         yield [(float(x * period[0]), float(y * period[1])) for x, y in product(*ways)]
 
 
-def save(crack: Crack, path: str | os.PathLike[str]) -> None:
+def save(crack: Crack, path: str | os.PathLike[str], millimetres: float | None = None) -> None:
     """Writes `crack` in the format that the ending of `path` names; see `Crack.save`."""
     ending = PurePath(arguments.file_path(path)).suffix.lower()
     if ending not in _WRITERS:
         raise ValueError(f"path is {os.fspath(path)!r}; an ending of {', '.join(_WRITERS)} is wanted")
+    if millimetres is not None:
+        millimetres = arguments.number(millimetres, "millimetres", low=SMALLEST, high=LARGEST)
     _check(crack)
-    content = _WRITERS[ending](crack)
+    content = _WRITERS[ending](crack, millimetres)
     with files.atomic_write(path) as file:
         file.write(content.encode())
 
@@ -64,16 +70,18 @@ def _by_generation(crack: Crack) -> list[tuple[int, list[Strand]]]:
     return sorted(groups.items())
 
 
-def _svg(crack: Crack) -> str:
+def _svg(crack: Crack, millimetres: float | None) -> str:
     xmin, ymin, xmax, ymax = crack.bounds
     groups = [(number, [(s, outlines(s)) for s in group]) for number, group in _by_generation(crack)]
     box = " ".join(map(repr, (xmin, -ymax, xmax - xmin, ymax - ymin)))
     thin = repr(max(xmax - xmin, ymax - ymin) / 1000)
+    sides = (xmax - xmin, ymax - ymin)
+    size = "" if millimetres is None else 'width="{!r}mm" height="{!r}mm" '.format(*(millimetres * x for x in sides))
     start = export.svg_start(crack.bounds)
     moved = export.svg_moved(start)
     lines = [
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"',
-        f'viewBox="{box}">',
+        f'{size}viewBox="{box}">',
         f"<metadata>crazing {_core.__version__}</metadata>",
         f'<g id="outlines" fill="black" fill-rule="nonzero" stroke="none"{moved}>',
         *(_svg_group("outlines", number, group, start, "Z") for number, group in groups),
@@ -118,9 +126,10 @@ def _svg_copies(crack: Crack, shapes: list[NDArray[np.float64]]) -> Iterator[str
             yield f'<use xlink:href="#{kind}" x="{x!r}" y="{0.0 - y!r}"/>'
 
 
-def _dxf(crack: Crack) -> str:
+def _dxf(crack: Crack, millimetres: float | None) -> str:
     ezdxf = require("ezdxf", "cad")
-    drawing = ezdxf.new("R2010", units=0)
+    drawing = ezdxf.new("R2010", units=0 if millimetres is None else ezdxf.units.MM)
+    unit = 1.0 if millimetres is None else millimetres
     space = drawing.modelspace()
     for number, group in _by_generation(crack):
         layer = f"generation-{number}"
@@ -128,16 +137,18 @@ def _dxf(crack: Crack) -> str:
         for strand in group:
             # Start and end width of each piece; the last row's are of a closing piece, which there is none of.
             after = np.append(strand.width[1:], strand.width[-1])
-            rows = np.column_stack([strand.points, strand.width, after]).tolist()
+            rows = (unit * np.column_stack([strand.points, strand.width, after])).tolist()
             space.add_lwpolyline(rows, format="xyse", dxfattribs={"layer": layer})
-    xmin, ymin, xmax, ymax = crack.bounds
+    xmin, ymin, xmax, ymax = (unit * end for end in crack.bounds)
     drawing.set_modelspace_vport(height=ymax - ymin, center=((xmin + xmax) / 2, (ymin + ymax) / 2))
     text = io.StringIO()
     drawing.write(text)
     return text.getvalue()
 
 
-def _geojson(crack: Crack) -> str:
+def _geojson(crack: Crack, millimetres: float | None) -> str:
+    if millimetres is not None:
+        raise ValueError("millimetres are given; GeoJSON has no size on paper, .svg and .dxf have")
     lines = strands(crack)
     features = [
         {
